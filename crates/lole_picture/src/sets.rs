@@ -1,15 +1,23 @@
 //! What stands around the dancer in pictures: floor, background and lamps of each set.
 
+mod beach;
+mod canvas;
+mod floors;
+mod lawn;
+mod noise;
+mod plants;
+mod theater;
+
 use glam::Vec3;
 use lole_costume::document::StageSet;
 use lole_geom::trig;
-use lole_render::backdrop::{Floor, Outline, Sun};
 use lole_render::{Background, Camera, Gradient, Ground, KeyLight, Landscape, LightRig, SoftBox};
 
 /// Where lamps stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lamps {
-    /// Around each camera as around the one in front, as a photographer carries them around: stills.
+    /// Around each camera as around the one in front, as a photographer carries them around: stills. The set goes
+    /// with them.
     WithCamera,
     /// As for a camera in front, wherever the camera goes: films.
     Still,
@@ -32,9 +40,19 @@ impl StageLook {
                 ground: Ground::default(),
             },
             StageSet::Plain => plain(),
-            StageSet::Theater => theater(),
-            StageSet::Beach => beach(),
-            StageSet::Lawn => lawn(),
+            StageSet::Theater => Self::painted(theater::lights(), theater::landscape()),
+            StageSet::Beach => Self::painted(beach::lights(), beach::landscape()),
+            StageSet::Lawn => Self::painted(lawn::lights(), lawn::landscape()),
+        }
+    }
+
+    fn painted(lights: LightRig, landscape: Option<&Landscape>) -> Self {
+        Self {
+            lights,
+            background: landscape.map_or_else(Background::default, |painted| {
+                Background::Landscape(painted.clone())
+            }),
+            ground: Ground::default(),
         }
     }
 
@@ -90,185 +108,3 @@ fn plain() -> StageLook {
         },
     }
 }
-
-/// A lamp from the front, colored ones from behind, and a lit cloth at the back of a dark stage.
-fn theater() -> StageLook {
-    StageLook {
-        lights: LightRig {
-            key: KeyLight {
-                toward: Vec3::new(0.55, 1.15, 0.95),
-                color: [1.62, 1.46, 1.20],
-                angular_radius: 0.05,
-            },
-            boxes: vec![
-                SoftBox {
-                    toward: Vec3::new(-0.9, 0.6, -0.8),
-                    color: [1.25, 0.70, 0.85],
-                    focus: 5.0,
-                },
-                SoftBox {
-                    toward: Vec3::new(0.9, 0.5, -0.9),
-                    color: [0.45, 0.75, 1.35],
-                    focus: 5.0,
-                },
-                SoftBox {
-                    toward: Vec3::new(-0.9, 0.35, 0.7),
-                    color: [0.12, 0.13, 0.18],
-                    focus: 2.0,
-                },
-            ],
-            zenith: [0.05, 0.05, 0.08],
-            horizon: [0.06, 0.055, 0.09],
-            nadir: [0.10, 0.075, 0.055],
-            exposure: 1.0,
-        },
-        background: Background::Landscape(Landscape {
-            zenith: [0.012, 0.012, 0.028],
-            horizon: [0.13, 0.065, 0.24],
-            band: 0.17,
-            sun: Sun {
-                toward: [0.0, 0.05, -1.0],
-                color: [0.09, 0.04, 0.06],
-            },
-            near: Floor {
-                color: [0.20, 0.125, 0.075],
-                mirror: 0.35,
-            },
-            far: Floor {
-                color: [0.02, 0.016, 0.02],
-                mirror: 0.35,
-            },
-            shore: 7.0,
-            pool: 2.6,
-            haze: [0.12, 0.06, 0.22],
-            haze_distance: 30.0,
-            mountains: NOTHING,
-            trees: NOTHING,
-            glow: 0.25,
-        }),
-        ground: Ground::default(),
-    }
-}
-
-/// The sun stands low behind her, at the side; the sky in front of her lights face and cloth.
-fn beach() -> StageLook {
-    let sun = [-0.88, 0.34, -0.62];
-    StageLook {
-        lights: LightRig {
-            key: KeyLight {
-                toward: Vec3::from(sun),
-                color: [2.0, 1.2, 0.62],
-                angular_radius: 0.03,
-            },
-            boxes: vec![
-                SoftBox {
-                    toward: Vec3::new(0.45, 0.40, 1.0),
-                    color: [0.74, 0.62, 0.56],
-                    focus: 2.0,
-                },
-                SoftBox {
-                    toward: Vec3::new(-0.7, 0.35, 0.7),
-                    color: [0.30, 0.22, 0.20],
-                    focus: 2.0,
-                },
-            ],
-            zenith: [0.26, 0.28, 0.40],
-            horizon: [0.42, 0.30, 0.28],
-            nadir: [0.24, 0.18, 0.14],
-            exposure: 1.0,
-        },
-        background: Background::Landscape(Landscape {
-            zenith: [0.16, 0.24, 0.46],
-            horizon: [0.92, 0.50, 0.27],
-            band: 0.26,
-            sun: Sun {
-                toward: [sun[0], 0.06, sun[2]],
-                color: [0.55, 0.34, 0.12],
-            },
-            near: Floor {
-                color: [0.52, 0.37, 0.25],
-                mirror: 0.0,
-            },
-            far: Floor {
-                color: [0.07, 0.11, 0.17],
-                mirror: 0.62,
-            },
-            shore: 11.0,
-            pool: 60.0,
-            haze: [0.42, 0.30, 0.32],
-            haze_distance: 900.0,
-            mountains: Outline {
-                color: [0.20, 0.15, 0.22],
-                height: 0.055,
-            },
-            trees: NOTHING,
-            glow: 0.16,
-        }),
-        ground: Ground::default(),
-    }
-}
-
-/// The sun of the late morning, mountains and trees behind.
-fn lawn() -> StageLook {
-    StageLook {
-        lights: LightRig {
-            key: KeyLight {
-                toward: Vec3::new(0.75, 1.15, 0.60),
-                color: [1.58, 1.46, 1.24],
-                angular_radius: 0.025,
-            },
-            boxes: vec![
-                SoftBox {
-                    toward: Vec3::new(-0.9, 0.5, 0.4),
-                    color: [0.20, 0.26, 0.34],
-                    focus: 2.0,
-                },
-                SoftBox {
-                    toward: Vec3::new(-0.3, 0.6, -1.0),
-                    color: [0.45, 0.50, 0.56],
-                    focus: 3.0,
-                },
-            ],
-            zenith: [0.34, 0.42, 0.56],
-            horizon: [0.28, 0.31, 0.34],
-            nadir: [0.15, 0.19, 0.10],
-            exposure: 1.0,
-        },
-        background: Background::Landscape(Landscape {
-            zenith: [0.17, 0.38, 0.72],
-            horizon: [0.66, 0.78, 0.88],
-            band: 0.26,
-            sun: Sun {
-                toward: [0.75, 0.9, 0.6],
-                color: [0.2, 0.18, 0.12],
-            },
-            near: Floor {
-                color: [0.20, 0.28, 0.095],
-                mirror: 0.0,
-            },
-            far: Floor {
-                color: [0.20, 0.28, 0.095],
-                mirror: 0.0,
-            },
-            shore: 18.0,
-            pool: 80.0,
-            haze: [0.27, 0.34, 0.17],
-            haze_distance: 60.0,
-            mountains: Outline {
-                color: [0.30, 0.42, 0.44],
-                height: 0.15,
-            },
-            trees: Outline {
-                color: [0.085, 0.16, 0.055],
-                height: 0.05,
-            },
-            glow: 0.12,
-        }),
-        ground: Ground::default(),
-    }
-}
-
-const NOTHING: Outline = Outline {
-    color: [0.0; 3],
-    height: 0.0,
-};

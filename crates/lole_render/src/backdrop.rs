@@ -1,10 +1,10 @@
 //! What is behind the subject, and the floor below it.
 
-use crate::light::turned;
-use glam::Vec3;
+use crate::Texture;
+use std::sync::Arc;
 
 /// What is behind everything, shown as given (not tone mapped).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Background {
     /// A soft gradient without a horizon, the same wherever the camera looks.
     Gradient(Gradient),
@@ -23,62 +23,68 @@ pub struct Gradient {
     pub glow: f32,
 }
 
-/// Surroundings by direction: what an eye at the origin sees far away. Colors are linear.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A painted panorama far away, and two floors that lie on either side of a straight shore. Colors are linear.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Landscape {
-    /// Color of the sky far above the horizon.
-    pub zenith: [f32; 3],
-    /// Color of the sky at the horizon.
-    pub horizon: [f32; 3],
-    /// Sine of the elevation at which the sky has the color of the zenith.
-    pub band: f32,
-    /// The glow in the sky.
-    pub sun: Sun,
+    /// All that is far away.
+    pub far: Panorama,
     /// The floor where the subject stands.
     pub near: Floor,
-    /// The floor, or water, beyond it.
-    pub far: Floor,
-    /// Where the far floor begins [m], around the origin.
-    pub shore: f32,
+    /// The floor, or water, beyond the shore.
+    pub beyond: Floor,
+    /// Where it begins.
+    pub shore: Shore,
     /// Within this distance from the origin [m] the near floor is lit; it darkens beyond.
     pub pool: f32,
     /// Color that floors fade to far away.
     pub haze: [f32; 3],
     /// Distance at which they have faded by a quarter [m].
     pub haze_distance: f32,
-    /// Mountains behind.
-    pub mountains: Outline,
-    /// Trees in front of them.
-    pub trees: Outline,
     /// How much lighter the middle of the picture is than the corners, 0 to 1.
     pub glow: f32,
+    /// All of it is turned about the vertical by this angle [rad], from `+Z` towards `+X`.
+    pub turn: f32,
 }
 
-/// A glow in the sky.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sun {
-    /// Direction towards it; any length above zero.
-    pub toward: [f32; 3],
-    /// What it adds to the sky around it.
-    pub color: [f32; 3],
+/// A picture of all directions: its columns go once around, from left to right as an eye turns, with `-Z` in the
+/// middle; its rows are even steps of the sine of the elevation. What lies below the horizon stands before the floor
+/// by its alpha; above it, alpha does not count.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panorama {
+    /// The picture.
+    pub picture: Arc<Texture>,
+    /// What floors mirror of it, of the same directions: without what stands on them, and as coarse as one likes.
+    pub mirrored: Arc<Texture>,
+    /// Sine of the elevation at its upper edge; what is above shows its uppermost row.
+    pub top: f32,
+    /// Sine of the elevation at its lower edge, negative or 0.
+    pub bottom: f32,
 }
 
 /// A floor.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Floor {
-    /// Its color in full light.
-    pub color: [f32; 3],
-    /// How much of the sky it mirrors at a grazing look, 0 to 1.
+    /// What it looks like in full light from above; it repeats.
+    pub paint: Arc<Texture>,
+    /// Side of one repeat [m].
+    pub repeat: f32,
+    /// How much of what is far away it mirrors at a grazing look, 0 to 1.
     pub mirror: f32,
+    /// How far waves tilt what it mirrors: sine of the elevation for a full step of the paint's green.
+    pub waves: f32,
 }
 
-/// Something dark against the sky along the horizon.
+/// A straight edge between two floors, as the waves of a sea leave it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outline {
+pub struct Shore {
+    /// x and z of the direction from the origin towards it, of unit length.
+    pub toward: [f32; 2],
+    /// How far away it is [m].
+    pub distance: f32,
+    /// Width of the foam on it [m]; 0 for a plain edge.
+    pub foam: f32,
     /// Its color.
-    pub color: [f32; 3],
-    /// How high it stands, as the sine of an elevation; 0 for nothing.
-    pub height: f32,
+    pub foam_color: [f32; 3],
 }
 
 impl Default for Background {
@@ -92,16 +98,31 @@ impl Default for Background {
     }
 }
 
+impl Shore {
+    /// No shore in sight.
+    pub const NONE: Self = Self {
+        toward: [0.0, -1.0],
+        distance: 1.0e6,
+        foam: 0.0,
+        foam_color: [0.0; 3],
+    };
+}
+
 impl Landscape {
-    /// The same with its glow turned about the vertical by `azimuth` [rad], as [`LightRig::turned`](crate::LightRig)
-    /// turns lights; mountains and trees stay where they are.
+    /// The same turned about the vertical by `azimuth` [rad], as [`LightRig::turned`](crate::LightRig) turns lights.
     #[must_use]
     pub fn turned(self, azimuth: f32) -> Self {
-        let toward = turned(Vec3::from(self.sun.toward), azimuth).to_array();
         Self {
-            sun: Sun { toward, ..self.sun },
+            turn: self.turn + azimuth,
             ..self
         }
+    }
+
+    /// The pictures that it is painted with: what is far away, what floors mirror of it, the near floor, the floor
+    /// beyond.
+    pub(crate) const fn paints(&self) -> [&Arc<Texture>; 4] {
+        let [far, mirrored] = [&self.far.picture, &self.far.mirrored];
+        [far, mirrored, &self.near.paint, &self.beyond.paint]
     }
 }
 

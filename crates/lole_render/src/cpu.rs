@@ -14,6 +14,7 @@ use crate::frame::Frame;
 use crate::prepare::Geometry;
 use crate::shade::{KeyShadow, SOFTEST_DISTANCE, Surface};
 use crate::srgb::SrgbTable;
+use crate::surroundings::Paints;
 use crate::{Image, Scene, Size};
 use rayon::prelude::*;
 use resolve::Picture;
@@ -50,6 +51,7 @@ impl CpuRenderer {
                 tangent: frame.key_toward.w,
                 softest: SOFTEST_DISTANCE,
             },
+            paints: Paints::of(&scene.background, &self.srgb),
             surfaces: scene
                 .meshes
                 .iter()

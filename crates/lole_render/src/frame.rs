@@ -1,10 +1,13 @@
 //! What the shading formula needs to know about a picture as a whole, laid out for a shader's
 //! uniform block (`Frame` in `gpu/shade.wgsl`); the CPU reads the same fields.
 
+use crate::backdrop::Floor;
 use crate::bake::{Bake, key_tangent};
+use crate::shade::log2;
 use crate::{Background, Gradient, Landscape, Scene, Size};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 use lole_geom::trig;
+use std::f32::consts::TAU;
 
 /// Constants of one picture.
 #[repr(C)]
@@ -33,24 +36,21 @@ pub(crate) struct Frame {
     pub(crate) background_top: Vec4,
     /// Backdrop at the bottom; `w` is 1 where there is a ground.
     pub(crate) background_bottom: Vec4,
-    /// Color of the sky above; `w` is 1 where there is a landscape.
-    pub(crate) sky_zenith: Vec4,
-    /// Color of the sky at the horizon; `w` is the sine of the elevation at which it has ended.
-    pub(crate) sky_horizon: Vec4,
-    /// Unit vector towards the glow; `w` is how much the near floor mirrors.
-    pub(crate) sun_toward: Vec4,
-    /// Color of the glow; `w` is how much the far floor mirrors.
-    pub(crate) sun_color: Vec4,
-    /// Color of the near floor; `w` is how far it is lit [m].
+    /// Cosine and sine of the landscape's turn, angle of a pixel [rad], 1 where there is a landscape.
+    pub(crate) turned: Vec4,
+    /// Sine of the elevation at the upper and the lower edge of the panorama, its level of detail, how far the near
+    /// floor is lit [m].
+    pub(crate) panorama: Vec4,
+    /// Repeats per meter, mirror and waves of the near floor; the distance of haze [m].
     pub(crate) floor_near: Vec4,
-    /// Color of the far floor; `w` is where it begins [m].
-    pub(crate) floor_far: Vec4,
-    /// Color of haze; `w` is its distance [m].
+    /// Repeats per meter, mirror and waves of the floor beyond; `w` is free.
+    pub(crate) floor_beyond: Vec4,
+    /// x and z of the direction to the shore, its distance [m]; `w` is free.
+    pub(crate) shore: Vec4,
+    /// Color of the foam; `w` is its width [m].
+    pub(crate) foam: Vec4,
+    /// Color of haze; `w` is free.
     pub(crate) haze: Vec4,
-    /// Color of the mountains; `w` is their height.
-    pub(crate) mountains: Vec4,
-    /// Color of the trees; `w` is their height.
-    pub(crate) trees: Vec4,
     /// Height of the ground [m], x and z of the corner of its light map [m], cells per meter.
     pub(crate) ground: Vec4,
 }
@@ -108,14 +108,15 @@ impl Frame {
             Background::Gradient(gradient) => (*gradient, None),
             Background::Landscape(landscape) => {
                 let gradient = Gradient {
-                    top: landscape.zenith,
-                    bottom: landscape.near.color,
+                    top: [0.0; 3],
+                    bottom: [0.0; 3],
                     glow: landscape.glow,
                 };
                 (gradient, Some(landscape))
             }
         };
-        let of = |get: fn(&Landscape) -> Vec4| landscape.map_or(Vec4::ZERO, get);
+        let of = |get: &dyn Fn(&Landscape) -> Vec4| landscape.map_or(Vec4::ZERO, get);
+        let pixel_angle = 2.0 * reach / height;
         let named = |color: [f32; 3], last: f32| Vec3::from(color).extend(last);
         let ground = map.ground.map_or(Vec4::ZERO, |place| {
             Vec4::new(
@@ -137,18 +138,23 @@ impl Frame {
             key_texel_v: map.texel_v,
             background_top: named(gradient.top, gradient.glow),
             background_bottom: named(gradient.bottom, f32::from(u8::from(map.ground.is_some()))),
-            sky_zenith: of(|it| Vec3::from(it.zenith).extend(1.0)),
-            sky_horizon: of(|it| Vec3::from(it.horizon).extend(it.band.max(1.0e-3))),
-            sun_toward: of(|it| {
-                let toward = Vec3::from(it.sun.toward);
-                toward.normalize_or(Vec3::Y).extend(it.near.mirror)
+            turned: of(&|it| {
+                let (sin, cos) = trig::sin_cos(it.turn);
+                Vec4::new(cos, sin, pixel_angle, 1.0)
             }),
-            sun_color: of(|it| Vec3::from(it.sun.color).extend(it.far.mirror)),
-            floor_near: of(|it| Vec3::from(it.near.color).extend(it.pool.max(1.0e-3))),
-            floor_far: of(|it| Vec3::from(it.far.color).extend(it.shore.max(1.0e-3))),
-            haze: of(|it| Vec3::from(it.haze).extend(it.haze_distance.max(1.0e-3))),
-            mountains: of(|it| Vec3::from(it.mountains.color).extend(it.mountains.height)),
-            trees: of(|it| Vec3::from(it.trees.color).extend(it.trees.height)),
+            panorama: of(&|it| {
+                let texel_angle = TAU / it.far.picture.width() as f32;
+                let lod = log2((pixel_angle / texel_angle).max(1.0));
+                Vec4::new(it.far.top, it.far.bottom, lod, it.pool.max(1.0e-3))
+            }),
+            floor_near: of(&|it| it.near.constants().extend(it.haze_distance.max(1.0e-3))),
+            floor_beyond: of(&|it| it.beyond.constants().extend(0.0)),
+            shore: of(&|it| {
+                let [x, z] = it.shore.toward;
+                Vec4::new(x, z, it.shore.distance, 0.0)
+            }),
+            foam: of(&|it| Vec3::from(it.shore.foam_color).extend(it.shore.foam.max(0.0))),
+            haze: of(&|it| Vec3::from(it.haze).extend(0.0)),
             ground,
         }
     }
@@ -158,5 +164,12 @@ impl Frame {
         self.ray_corner.truncate()
             + self.ray_right.truncate() * at.x
             + self.ray_down.truncate() * at.y
+    }
+}
+
+impl Floor {
+    /// Repeats per meter, mirror and waves.
+    fn constants(&self) -> Vec3 {
+        Vec3::new(1.0 / self.repeat.max(1.0e-3), self.mirror, self.waves)
     }
 }

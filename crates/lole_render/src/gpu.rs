@@ -5,6 +5,7 @@
 mod device;
 mod draw;
 mod live;
+mod paints;
 mod pipeline;
 
 pub(crate) use device::may_exist;

@@ -421,7 +421,7 @@ pub(crate) fn texture_lod(change_x: Vec2, change_y: Vec2) -> f32 {
 }
 
 /// Base-2 logarithm to 1 %, by the exponent bits and a parabola; the same bits everywhere.
-fn log2(value: f32) -> f32 {
+pub(crate) fn log2(value: f32) -> f32 {
     let bits = value.to_bits();
     let exponent = (bits >> 23) as f32 - 127.0;
     let mantissa = f32::from_bits((bits & 0x007f_ffff) | 0x3f80_0000) - 1.0;

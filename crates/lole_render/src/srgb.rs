@@ -9,13 +9,22 @@ use lole_geom::trig;
 const ENCODE_ENTRIES: usize = 8192;
 
 /// Both directions as tables.
-pub(crate) struct SrgbTable {
+#[derive(Debug)]
+pub struct SrgbTable {
     linear_from_byte: [f32; 256],
     byte_from_linear: Vec<u8>,
 }
 
+impl Default for SrgbTable {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl SrgbTable {
-    pub(crate) fn new() -> Self {
+    /// Works the tables out.
+    #[must_use]
+    pub fn new() -> Self {
         let linear_from_byte = std::array::from_fn(|byte| linear_from_srgb(byte as f32 / 255.0));
         let byte_from_linear = (0..=ENCODE_ENTRIES)
             .map(|entry| byte(srgb_from_linear(entry as f32 / ENCODE_ENTRIES as f32)))
@@ -27,12 +36,14 @@ impl SrgbTable {
     }
 
     /// Linear color of sRGB bytes.
-    pub(crate) fn decode(&self, bytes: [u8; 3]) -> Vec3 {
+    #[must_use]
+    pub fn decode(&self, bytes: [u8; 3]) -> Vec3 {
         Vec3::from(bytes.map(|byte| self.linear_from_byte[usize::from(byte)]))
     }
 
     /// sRGB bytes of a linear color; what is outside 0 to 1 is cut off.
-    pub(crate) fn encode(&self, color: Vec3) -> [u8; 3] {
+    #[must_use]
+    pub fn encode(&self, color: Vec3) -> [u8; 3] {
         color.to_array().map(|linear| {
             let entry = linear.clamp(0.0, 1.0) * ENCODE_ENTRIES as f32 + 0.5;
             self.byte_from_linear[whole::index(entry).min(ENCODE_ENTRIES)]

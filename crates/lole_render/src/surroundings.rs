@@ -2,15 +2,52 @@
 //! names.
 
 use crate::frame::Frame;
-use crate::shade::pixel_noise;
+use crate::shade::{pixel_noise, texture_lod};
+use crate::srgb::SrgbTable;
+use crate::{Background, Texture, whole};
 use glam::{Vec2, Vec3, Vec4};
+use lole_geom::trig;
+use std::f32::consts::TAU;
+
+/// What a landscape is painted with.
+pub(crate) struct Paints<'a> {
+    srgb: &'a SrgbTable,
+    far: &'a Texture,
+    mirrored: &'a Texture,
+    near: &'a Texture,
+    beyond: &'a Texture,
+}
+
+impl<'a> Paints<'a> {
+    /// Those of a backdrop; `None` where it is no landscape.
+    pub(crate) fn of(background: &'a Background, srgb: &'a SrgbTable) -> Option<Self> {
+        let Background::Landscape(landscape) = background else {
+            return None;
+        };
+        let [far, mirrored, near, beyond] = landscape.paints().map(AsRef::as_ref);
+        Some(Self {
+            srgb,
+            far,
+            mirrored,
+            near,
+            beyond,
+        })
+    }
+}
 
 /// The backdrop at a place of the picture [pixel]; `ground` is the light on the floor there.
-pub(crate) fn background(frame: &Frame, pixel: Vec2, ground: Vec3) -> Vec3 {
+pub(crate) fn background(
+    frame: &Frame,
+    paints: Option<&Paints<'_>>,
+    pixel: Vec2,
+    ground: Vec3,
+) -> Vec3 {
+    let noise = pixel_noise(pixel);
     let place = pixel / Vec2::new(frame.ray_right.w, frame.ray_down.w);
     let down = place.y * place.y * (3.0 - 2.0 * place.y);
-    let base = if frame.sky_zenith.w > 0.5 {
-        landscape(frame, frame.ray(pixel).normalize_or(Vec3::NEG_Z))
+    let base = if let Some(paints) = paints {
+        let ray = frame.ray(pixel).normalize_or(Vec3::NEG_Z);
+        landscape(frame, paints, ray, noise)
     } else {
         let top = frame.background_top.truncate();
         top.lerp(frame.background_bottom.truncate(), down)
@@ -20,81 +57,126 @@ pub(crate) fn background(frame: &Frame, pixel: Vec2, ground: Vec3) -> Vec3 {
     let glow = 1.0 + frame.background_top.w * (0.45 - corner * (2.0 - corner));
     // Less than one step of an 8-bit picture, so that the gradient shows no bands.
     let color = base * glow * ground;
-    let grain = (pixel_noise(pixel) - 0.5) * (2.2 / 255.0);
+    let grain = (noise - 0.5) * (2.2 / 255.0);
     (color + color.map(|c| c.max(0.0).sqrt()) * grain).max(Vec3::ZERO)
 }
 
-/// Sky, outlines or floor in a direction.
-fn landscape(frame: &Frame, ray: Vec3) -> Vec3 {
+/// The panorama or a floor in a direction.
+fn landscape(frame: &Frame, paints: &Paints<'_>, ray: Vec3, noise: f32) -> Vec3 {
     let drop = frame.ground.x - frame.eye.y;
+    let seen = turned(frame, ray);
     if ray.y > -1.0e-5 || drop >= 0.0 {
-        return outlined(frame, ray, sky(frame, ray));
+        let uv = far_uv(frame, paints, seen);
+        return paints.far.sample(paints.srgb, uv, frame.panorama.z);
     }
-    let way = drop / ray.y;
-    let hit = frame.eye.truncate() + ray * way;
-    let from_middle = Vec2::new(hit.x, hit.z).length();
-    let dim = (from_middle / frame.floor_near.w).min(100.0);
-    let near = frame.floor_near.truncate() / (1.0 + dim * dim * dim * dim);
-    let beyond = smooth_between(frame.floor_far.w, frame.floor_far.w * 1.12, from_middle);
-    let base = near.lerp(frame.floor_far.truncate(), beyond);
-    let grazing = 1.0 + ray.y;
-    let mirrors = frame.sun_toward.w + (frame.sun_color.w - frame.sun_toward.w) * beyond;
-    let upward = Vec3::new(ray.x, -ray.y, ray.z);
-    let mirrored = outlined(frame, upward, sky(frame, upward));
-    let floor = base.lerp(mirrored, mirrors * grazing * grazing * grazing);
-    let far = way / (way + frame.haze.w);
-    floor.lerp(frame.haze.truncate(), far * far)
+    let mut standing = Vec4::ZERO;
+    if ray.y > frame.panorama.y {
+        let uv = far_uv(frame, paints, seen);
+        standing = (paints.far).sample_with_alpha(paints.srgb, uv, frame.panorama.z);
+    }
+    let floor = floor(frame, paints, seen, [drop / ray.y, noise]);
+    floor.lerp(standing.truncate(), standing.w)
 }
 
-/// The sky in a direction that points up or level.
-fn sky(frame: &Frame, ray: Vec3) -> Vec3 {
-    let up = (ray.y / frame.sky_horizon.w).clamp(0.0, 1.0);
-    let plain = (frame.sky_horizon.truncate()).lerp(frame.sky_zenith.truncate(), up * (2.0 - up));
-    let near = ray.dot(frame.sun_toward.truncate()).max(0.0);
-    let near_4 = near * near * near * near;
-    let near_16 = near_4 * near_4 * near_4 * near_4;
-    plain + frame.sun_color.truncate() * (0.35 * near_4 + 0.65 * near_16 * near_16)
+/// A place or a direction as the landscape has it, before its turn.
+fn turned(frame: &Frame, world: Vec3) -> Vec3 {
+    let (cos, sin) = (frame.turned.x, frame.turned.y);
+    Vec3::new(
+        world.x * cos - world.z * sin,
+        world.y,
+        world.x * sin + world.z * cos,
+    )
 }
 
-/// Mountains and trees before the sky. Their heights are sums of waves around the horizon: powers of the direction
-/// as a complex number, so that they close without a seam.
-fn outlined(frame: &Frame, ray: Vec3, sky: Vec3) -> Vec3 {
-    let around = Vec2::new(ray.x, ray.z);
-    let around = around / around.length().max(1.0e-6);
-    let twice = times(around, around);
-    let thrice = times(twice, around);
-    let fifth = times(thrice, twice);
-    let eighth = times(fifth, thrice);
-    let thirteenth = times(eighth, fifth);
-    let twenty_first = times(thirteenth, eighth);
-    let thirty_fourth = times(twenty_first, thirteenth);
-    let fifty_fifth = times(thirty_fourth, twenty_first);
-    let eighty_ninth = times(fifty_fifth, thirty_fourth);
-    let finest = times(times(eighty_ninth, fifty_fifth), eighty_ninth);
-    let ridge = 0.55 + 0.22 * thrice.y + 0.18 * fifth.x - 0.22 * eighth.y.abs()
-        + 0.12 * (1.0 - 2.0 * thirteenth.x.abs())
-        + 0.05 * (1.0 - 2.0 * thirty_fourth.y.abs());
-    let crowns = 0.55
-        + 0.12 * thirteenth.y
-        + 0.12 * thirty_fourth.y.abs()
-        + 0.12 * fifty_fifth.x.abs()
-        + 0.09 * eighty_ninth.y.abs()
-        + 0.06 * finest.x.abs();
-    let before = |sky: Vec3, outline: Vec4, share: f32| {
-        let top = outline.w * share;
-        let seen = if outline.w > 0.0 {
-            1.0 - smooth_between(top - 0.0025, top + 0.0025, ray.y)
-        } else {
-            0.0
-        };
-        sky.lerp(outline.truncate(), seen)
+/// Where the panorama shows a direction.
+fn far_uv(frame: &Frame, paints: &Paints<'_>, seen: Vec3) -> Vec2 {
+    let around = trig::atan2(seen.x, -seen.z) / TAU + 0.5;
+    let margin = 0.5 / paints.far.height() as f32;
+    let down = (frame.panorama.x - seen.y) / (frame.panorama.x - frame.panorama.y);
+    Vec2::new(around, down.clamp(margin, 1.0 - margin))
+}
+
+/// Something like a sine of whole turns, of parabolas.
+fn wave(turns: f32) -> f32 {
+    let part = turns - whole::floor(turns + 0.5) as f32;
+    part * (8.0 - 16.0 * part.abs())
+}
+
+/// The floor in a direction, a `way` along it [m]; by `noise` one level of detail turns into the next.
+fn floor(frame: &Frame, paints: &Paints<'_>, seen: Vec3, [way, noise]: [f32; 2]) -> Vec3 {
+    let hit = turned(frame, frame.eye.truncate()) + seen * way;
+    let at = Vec2::new(hit.x, hit.z);
+    let from_middle = at.length();
+    let across = way * frame.turned.z;
+    let along = across / (-seen.y).max(1.0e-3);
+    let toward = Vec2::new(frame.shore.x, frame.shore.y);
+    let mut out = at.dot(toward) - frame.shore.z;
+    let foam = frame.foam.w;
+    if foam > 0.0 {
+        let side = at.perp_dot(toward);
+        out += foam
+            * (0.55 * wave(side * 0.06 + 0.1)
+                + 0.30 * wave(side * 0.18)
+                + 0.12 * wave(side * 0.5 + 0.3));
+    }
+    let edge = (0.6 * along).max(0.02);
+    let beyond = smooth_between(-edge, edge, out);
+    let wet = if foam > 0.0 {
+        smooth_between(-5.0 * foam, -0.6 * foam, out)
+    } else {
+        0.0
     };
-    before(before(sky, frame.mountains, ridge), frame.trees, crowns)
+    let lod = |paint: &Texture, repeats: f32| {
+        let texels = repeats * paint.width() as f32;
+        painted_lod(Vec2::new(across, along) * texels, noise)
+    };
+    let mut base = Vec3::ZERO;
+    let mut mirrors = 0.0;
+    let mut waves = 0.0;
+    if beyond < 1.0 {
+        let paint = paints.near.sample(
+            paints.srgb,
+            at * frame.floor_near.x,
+            lod(paints.near, frame.floor_near.x),
+        );
+        let dim = (from_middle / frame.panorama.w).min(100.0);
+        let slow = wave(at.x * 0.13 + 0.27 * wave(at.y * 0.1));
+        let tone = 1.0 + 0.05 * slow * wave(at.y * 0.11 + 0.2);
+        let lit = tone / (1.0 + dim * dim * dim * dim);
+        base = paint * (lit * (1.0 - 0.45 * wet));
+        mirrors = frame.floor_near.y + 0.55 * wet;
+        waves = frame.floor_near.z * paint.y;
+    }
+    if beyond > 0.0 {
+        let paint = paints.beyond.sample(
+            paints.srgb,
+            at * frame.floor_beyond.x,
+            lod(paints.beyond, frame.floor_beyond.x),
+        );
+        base = base.lerp(paint, beyond);
+        mirrors += (frame.floor_beyond.y - mirrors) * beyond;
+        waves += (frame.floor_beyond.z * paint.y - waves) * beyond;
+    }
+    let grazing = 1.0 + seen.y;
+    let share = mirrors * grazing * grazing * grazing;
+    if share > 0.002 {
+        let upward = far_uv(frame, paints, Vec3::new(seen.x, waves - seen.y, seen.z));
+        let mirrored = paints.mirrored.sample(paints.srgb, upward, 0.0);
+        base = base.lerp(mirrored, share.min(1.0));
+    }
+    if foam > 0.0 {
+        let swash = smooth_between(-0.5 * foam, -0.1 * foam, out);
+        let spent = smooth_between(0.1 * foam, 1.6 * foam, out);
+        base = base.lerp(frame.foam.truncate(), swash * (1.0 - spent));
+    }
+    let far = way / (way + frame.floor_near.w);
+    base.lerp(frame.haze.truncate(), far * far)
 }
 
-/// Product of two complex numbers.
-fn times(a: Vec2, b: Vec2) -> Vec2 {
-    Vec2::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
+/// Level of detail of a floor's paint; `sides` are those of a pixel there in its texels.
+fn painted_lod(sides: Vec2, noise: f32) -> f32 {
+    let lod = texture_lod(Vec2::new(sides.x, 0.0), Vec2::new(0.0, sides.y));
+    whole::floor(lod + noise).max(0) as f32
 }
 
 /// 0 up to `low`, 1 from `high` on.

@@ -3,9 +3,10 @@
 use crate::RenderError;
 use crate::srgb::SrgbTable;
 use crate::whole;
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
+use std::ops::{Add, Mul};
 
-/// An sRGB picture that repeats, with its mipmaps. Alpha is not used.
+/// An sRGB picture that repeats, with its mipmaps. Alpha counts in panoramas alone.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Texture {
     levels: Vec<Level>,
@@ -82,15 +83,30 @@ impl Texture {
     /// Linear color at `uv` (repeating, v down), bilinear within two levels and linear between
     /// them; `lod` 0 is the finest level, 1 the next.
     pub(crate) fn sample(&self, srgb: &SrgbTable, uv: Vec2, lod: f32) -> Vec3 {
+        self.between_levels(lod, |level| level.bilinear(srgb, uv))
+    }
+
+    /// The same with alpha.
+    pub(crate) fn sample_with_alpha(&self, srgb: &SrgbTable, uv: Vec2, lod: f32) -> Vec4 {
+        self.between_levels(lod, |level| {
+            level.bilinear(srgb, uv).extend(level.bilinear_alpha(uv))
+        })
+    }
+
+    /// What two levels show, mixed as `lod` lies between them.
+    fn between_levels<T>(&self, lod: f32, at: impl Fn(&Level) -> T) -> T
+    where
+        T: Add<Output = T> + Mul<f32, Output = T>,
+    {
         let last = self.levels.len() - 1;
         let lod = lod.clamp(0.0, last as f32);
         let fine = whole::index(lod).min(last);
         let between = lod - fine as f32;
-        let fine_color = self.levels[fine].bilinear(srgb, uv);
+        let fine_color = at(&self.levels[fine]);
         if between <= 0.0 || fine == last {
             return fine_color;
         }
-        fine_color.lerp(self.levels[fine + 1].bilinear(srgb, uv), between)
+        fine_color * (1.0 - between) + at(&self.levels[fine + 1]) * between
     }
 }
 
@@ -105,16 +121,14 @@ impl Level {
         let mut pixels = Vec::with_capacity(width as usize * height as usize * 4);
         for y in 0..height {
             for x in 0..width {
-                let mean = [(0, 0), (1, 0), (0, 1), (1, 1)]
-                    .iter()
-                    .map(|(dx, dy)| {
-                        let (x, y) = (x * 2 + dx, y * 2 + dy);
-                        self.texel(&srgb, x.min(self.width - 1), y.min(self.height - 1))
-                    })
-                    .sum::<Vec3>()
-                    * 0.25;
-                pixels.extend(srgb.encode(mean));
-                pixels.push(255);
+                let covered = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| {
+                    let (x, y) = (x * 2 + dx, y * 2 + dy);
+                    (x.min(self.width - 1), y.min(self.height - 1))
+                });
+                let colors = covered.map(|(x, y)| self.texel(&srgb, x, y));
+                pixels.extend(srgb.encode(colors.iter().sum::<Vec3>() * 0.25));
+                let alphas = covered.map(|(x, y)| self.alpha(x, y));
+                pixels.push(whole::byte(alphas.iter().sum::<f32>() * 0.25));
             }
         }
         Some(Self {
@@ -124,29 +138,46 @@ impl Level {
         })
     }
 
+    #[inline]
     fn texel(&self, srgb: &SrgbTable, x: u32, y: u32) -> Vec3 {
         let start = (y as usize * self.width as usize + x as usize) * 4;
-        srgb.decode([
-            self.pixels[start],
-            self.pixels[start + 1],
-            self.pixels[start + 2],
-        ])
+        match self.pixels[start..] {
+            [r, g, b, ..] => srgb.decode([r, g, b]),
+            _ => Vec3::ZERO,
+        }
+    }
+
+    /// Alpha of a texel, 0 to 255.
+    fn alpha(&self, x: u32, y: u32) -> f32 {
+        let start = (y as usize * self.width as usize + x as usize) * 4;
+        f32::from(self.pixels[start + 3])
     }
 
     fn bilinear(&self, srgb: &SrgbTable, uv: Vec2) -> Vec3 {
+        self.mixed(uv, |x, y| self.texel(srgb, x, y))
+    }
+
+    /// Alpha at `uv`, 0 to 1.
+    fn bilinear_alpha(&self, uv: Vec2) -> f32 {
+        self.mixed(uv, |x, y| self.alpha(x, y)) / 255.0
+    }
+
+    /// The four texels around `uv`, mixed.
+    #[inline]
+    fn mixed<T>(&self, uv: Vec2, texel: impl Fn(u32, u32) -> T) -> T
+    where
+        T: Add<Output = T> + Mul<f32, Output = T>,
+    {
         let whole_uv = Vec2::new(whole::floor(uv.x) as f32, whole::floor(uv.y) as f32);
         let at = (uv - whole_uv) * Vec2::new(self.width as f32, self.height as f32) - 0.5;
         let (column, row) = (whole::floor(at.x), whole::floor(at.y));
         let part = at - Vec2::new(column as f32, row as f32);
         let (x0, x1) = neighbors(column, self.width);
         let (y0, y1) = neighbors(row, self.height);
-        let top = self
-            .texel(srgb, x0, y0)
-            .lerp(self.texel(srgb, x1, y0), part.x);
-        let bottom = self
-            .texel(srgb, x0, y1)
-            .lerp(self.texel(srgb, x1, y1), part.x);
-        top.lerp(bottom, part.y)
+        let between = |a: T, b: T, share: f32| a * (1.0 - share) + b * share;
+        let top = between(texel(x0, y0), texel(x1, y0), part.x);
+        let bottom = between(texel(x0, y1), texel(x1, y1), part.x);
+        between(top, bottom, part.y)
     }
 }
 

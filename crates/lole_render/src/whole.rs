@@ -27,6 +27,16 @@ pub(crate) fn index(x: f32) -> usize {
     x.max(0.0) as usize
 }
 
+/// The nearest byte; 0 or 255 for what is outside.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "`as` saturates, which is what is documented"
+)]
+#[inline]
+pub(crate) fn byte(x: f32) -> u8 {
+    (x + 0.5).max(0.0) as u8
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,12 +5,12 @@
 
 use glam::{Vec2, Vec3};
 use lole_geom::trig;
-use lole_render::backdrop::{Floor, Outline, Sun};
+use lole_render::backdrop::{Floor, Panorama, Shore};
 use lole_render::{
     BackShade, Backend, Background, Camera, Gradient, Ground, Image, KeyLight, Landscape, LightRig,
     Material, RenderError, Renderer, Scene, SceneMesh, Sides, Size, Texture,
 };
-use std::f32::consts::{PI, TAU};
+use std::f32::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
 /// Columns of a mesh, owned.
@@ -536,7 +536,7 @@ fn both_backends_draw_nearly_the_same() {
         vertical_fov: 0.5,
     });
     scene.meshes = vec![ball.with(&skin), sheet.with(&cloth)];
-    for background in [scene.background, Background::Landscape(landscape())] {
+    for background in [scene.background.clone(), Background::Landscape(landscape())] {
         scene.background = background;
         let by_gpu = gpu.render(&scene).unwrap();
         let by_cpu = draw(&scene, size);
@@ -554,61 +554,100 @@ fn both_backends_draw_nearly_the_same() {
 /// Everything that a landscape can have.
 fn landscape() -> Landscape {
     Landscape {
-        zenith: [0.1, 0.2, 0.5],
-        horizon: [0.6, 0.5, 0.4],
-        band: 0.4,
-        sun: Sun {
-            toward: [-0.4, 0.2, -1.0],
-            color: [0.3, 0.2, 0.1],
+        far: Panorama {
+            picture: panorama(|at| {
+                let below = at.y > 0.8;
+                let hill = at.y > 0.6 + 0.1 * trig::sin(at.x * TAU * 3.0);
+                match (below, hill) {
+                    (true, _) => [20, 60, 20, if at.x < 0.5 { 255 } else { 0 }],
+                    (_, true) => [60, 80, 90, 255],
+                    _ => [150, 170, 220, 255],
+                }
+            }),
+            mirrored: checks([180, 190, 220], [90, 100, 140]),
+            top: 0.4,
+            bottom: -0.1,
         },
         near: Floor {
-            color: [0.4, 0.3, 0.2],
+            paint: checks([190, 160, 120], [150, 120, 90]),
+            repeat: 1.5,
             mirror: 0.1,
+            waves: 0.0,
         },
-        far: Floor {
-            color: [0.05, 0.1, 0.2],
+        beyond: Floor {
+            paint: checks([40, 70, 110], [30, 60, 90]),
+            repeat: 4.0,
             mirror: 0.6,
+            waves: 0.3,
         },
-        shore: 6.0,
+        shore: Shore {
+            toward: [0.0, -1.0],
+            distance: 6.0,
+            foam: 0.4,
+            foam_color: [0.8; 3],
+        },
         pool: 20.0,
         haze: [0.5, 0.45, 0.4],
         haze_distance: 200.0,
-        mountains: Outline {
-            color: [0.2, 0.25, 0.3],
-            height: 0.12,
-        },
-        trees: Outline {
-            color: [0.05, 0.1, 0.03],
-            height: 0.04,
-        },
         glow: 0.0,
+        turn: 0.3,
     }
 }
 
-/// A level camera has the horizon in the middle of its picture, whatever its height: sky above it, floor below, and
-/// the far floor nearer to the horizon than the near one.
+/// A panorama of some color at each share of its width and height.
+fn panorama(color: impl Fn(Vec2) -> [u8; 4]) -> Arc<Texture> {
+    let (width, height) = (256_u16, 64_u16);
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let pixels = places.flat_map(|(x, y)| {
+        let at = Vec2::new(f32::from(x) + 0.5, f32::from(y) + 0.5);
+        color(at / Vec2::new(f32::from(width), f32::from(height)))
+    });
+    Arc::new(Texture::new(width.into(), height.into(), pixels.collect()).unwrap())
+}
+
+/// A chessboard of eight by eight.
+fn checks(light: [u8; 3], dark: [u8; 3]) -> Arc<Texture> {
+    let pixels = (0..64_u8).flat_map(|index| {
+        let [r, g, b] = if (index / 8 + index) % 2 == 0 {
+            light
+        } else {
+            dark
+        };
+        [r, g, b, 255]
+    });
+    Arc::new(Texture::new(8, 8, pixels.collect()).unwrap())
+}
+
+/// One color all over.
+fn even(color: [u8; 3]) -> Arc<Texture> {
+    checks(color, color)
+}
+
+/// A level camera has the horizon in the middle of its picture, whatever its height: what is far away above it,
+/// floor below, and the floor beyond the shore nearer to the horizon than the near one.
 #[test]
 fn the_horizon_of_a_landscape_is_level_with_the_eye() {
-    let nothing = Outline {
-        height: 0.0,
-        ..landscape().trees
+    let (sky, water, sand) = ([90, 120, 200], [40, 70, 110], [190, 160, 120]);
+    let floor = |color| Floor {
+        paint: even(color),
+        mirror: 0.0,
+        ..landscape().near
     };
     let plain = Landscape {
-        mountains: nothing,
-        trees: nothing,
-        sun: Sun {
-            color: [0.0; 3],
-            ..landscape().sun
+        far: Panorama {
+            picture: even(sky),
+            mirrored: even(sky),
+            top: 0.4,
+            bottom: 0.0,
         },
-        near: Floor {
-            mirror: 0.0,
-            ..landscape().near
-        },
-        far: Floor {
-            mirror: 0.0,
-            ..landscape().far
+        near: floor(sand),
+        beyond: floor(water),
+        shore: Shore {
+            foam: 0.0,
+            ..landscape().shore
         },
         haze_distance: 1.0e6,
+        turn: 0.0,
         ..landscape()
     };
     for height in [0.3, 1.5, 4.0] {
@@ -618,62 +657,72 @@ fn the_horizon_of_a_landscape_is_level_with_the_eye() {
             vertical_fov: 1.2,
         };
         let scene = Scene {
-            background: Background::Landscape(plain),
+            background: Background::Landscape(plain.clone()),
             ..Scene::studio(camera)
         };
         let image = draw(&scene, SMALL);
-        let near = |y: u32, wanted: [f32; 3]| {
+        let near = |y: u32, wanted: [u8; 3]| {
             let pixel = image.pixel(SMALL.width / 2, y).unwrap();
             let mut both = pixel.iter().zip(wanted);
-            both.all(|(byte, linear)| (f32::from(*byte) - srgb(linear)).abs() < 6.0)
+            both.all(|(byte, wanted)| byte.abs_diff(wanted) < 10)
         };
         let middle = SMALL.height / 2;
-        assert!(near(0, plain.zenith), "{height}");
-        assert!(near(middle - 1, plain.horizon), "{height}");
-        assert!(near(middle + 1, plain.far.color), "{height}");
+        assert!(near(0, sky), "{height}");
+        assert!(near(middle - 1, sky), "{height}");
+        assert!(near(middle + 1, water), "{height}");
         let sees_feet = height < 2.0;
-        assert!(
-            !sees_feet || near(SMALL.height - 1, plain.near.color),
-            "{height}"
-        );
+        assert!(!sees_feet || near(SMALL.height - 1, sand), "{height}");
     }
 }
 
-/// Mountains close around the horizon: their outline has no step anywhere.
+/// A panorama shows every direction where it has it, closes without a seam, and turns with the landscape.
 #[test]
-fn the_outline_of_mountains_has_no_seam() {
-    let scene = |azimuth: f32| {
+fn a_panorama_is_seen_in_its_directions() {
+    // Red grows from one side to the other of what is ahead, green does around the other half.
+    let picture = panorama(|at| {
+        let share = |from: f32| {
+            let near = (1.0 - (at.x - from).abs() * 4.0).clamp(0.0, 1.0);
+            (0..=255_u8)
+                .find(|byte| f32::from(*byte) >= near * 255.0)
+                .unwrap()
+        };
+        [share(0.5), share(0.25), share(0.75), 255]
+    });
+    let seen = |azimuth: f32, turn: f32| {
         let (sin, cos) = trig::sin_cos(azimuth);
-        let toward = Vec3::new(sin, 0.0, cos);
         let camera = Camera {
             eye: Vec3::Y,
-            target: Vec3::Y + toward,
-            vertical_fov: 0.6,
+            target: Vec3::Y + Vec3::new(sin, 0.2, -cos),
+            vertical_fov: 0.1,
         };
-        Scene {
-            background: Background::Landscape(landscape()),
+        let scene = Scene {
+            background: Background::Landscape(Landscape {
+                far: Panorama {
+                    picture: Arc::clone(&picture),
+                    mirrored: Arc::clone(&picture),
+                    top: 1.0,
+                    bottom: 0.0,
+                },
+                turn,
+                ..landscape()
+            }),
             ..Scene::studio(camera)
-        }
+        };
+        let image = draw(&scene, SMALL);
+        image.pixel(SMALL.width / 2, SMALL.height / 2).unwrap()
     };
-    let tops: Vec<usize> = (0..12_u16)
-        .flat_map(|turn| {
-            let image = draw(&scene(f32::from(turn) * TAU / 12.0), SMALL);
-            let sky = |x: u32, y: u32| image.pixel(x, y).unwrap()[2];
-            (0..SMALL.width)
-                .map(|x| {
-                    let above = |y: &u32| sky(x, *y) < sky(x, 0).saturating_sub(30);
-                    (0..SMALL.height).find(above).unwrap_or(SMALL.height) as usize
-                })
-                .collect::<Vec<_>>()
-        })
-        .collect();
-    assert!(
-        tops.iter().any(|top| top.abs_diff(tops[0]) > 3),
-        "no mountain"
-    );
-    for row in tops.chunks(SMALL.width as usize) {
-        for pair in row.windows(2) {
-            assert!(pair[0].abs_diff(pair[1]) <= 4, "{pair:?}");
-        }
+    let is = |pixel: [u8; 4], wanted: [u8; 3]| {
+        let mut both = pixel.iter().zip(wanted);
+        both.all(|(byte, wanted)| byte.abs_diff(wanted) < 16)
+    };
+    // Ahead, at the left, at the right, behind: both ends of the picture meet there, in black.
+    assert!(is(seen(0.0, 0.0), [255, 0, 0]));
+    assert!(is(seen(-FRAC_PI_2, 0.0), [0, 255, 0]));
+    assert!(is(seen(FRAC_PI_2, 0.0), [0, 0, 255]));
+    assert!(is(seen(PI, 0.0), [0, 0, 0]));
+    // A turn from `+Z` towards `+X` brings what was ahead, at `-Z`, to `-X`.
+    assert!(is(seen(-FRAC_PI_2, FRAC_PI_2), [255, 0, 0]));
+    for turn in [-0.01, 0.0, 0.01] {
+        assert!(is(seen(PI + turn, 0.0), [0, 0, 0]), "{turn}");
     }
 }

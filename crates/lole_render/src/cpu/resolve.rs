@@ -9,7 +9,7 @@ use crate::frame::Frame;
 use crate::prepare::Geometry;
 use crate::shade::{self, KeyShadow, Point, Surface};
 use crate::srgb::SrgbTable;
-use crate::surroundings;
+use crate::surroundings::{self, Paints};
 use glam::{Vec2, Vec3};
 
 /// Everything that pixels are made of.
@@ -21,6 +21,8 @@ pub(super) struct Picture<'a> {
     pub(super) srgb: &'a SrgbTable,
     pub(super) surfaces: Vec<Surface>,
     pub(super) shadow: KeyShadow<'a>,
+    /// What a landscape is painted with; `None` where there is none.
+    pub(super) paints: Option<Paints<'a>>,
 }
 
 /// RGBA of the pixels of a tile, row by row.
@@ -61,7 +63,7 @@ fn pixel_color(picture: &Picture<'_>, corner: Vec2, seen: &[u32; 4]) -> Vec3 {
                 Some(light) if hit.z > 0.0 => light.factor_at(hit.x, hit.y),
                 _ => Vec3::ONE,
             };
-            surroundings::background(picture.frame, middle, ground)
+            surroundings::background(picture.frame, picture.paints.as_ref(), middle, ground)
         } else {
             surface_color(picture, triangle, corner + place / count)
         };

@@ -1,6 +1,7 @@
 //! Draws a scene into a texture and reads it back.
 
 use super::device::Device;
+use super::paints::PaintViews;
 use super::pipeline::{COLOR, DEPTH, Pipelines, SAMPLES, Vertex};
 use crate::bake::{Bake, GROUND_CELLS};
 use crate::frame::Frame;
@@ -16,6 +17,7 @@ pub(crate) struct GpuRenderer {
     pipelines: Pipelines,
     targets: Targets,
     sampler: wgpu::Sampler,
+    paints: PaintViews,
     blank: wgpu::TextureView,
     /// Textures that the last picture used, with their copies on the adapter.
     uploaded: Vec<(Arc<Texture>, wgpu::TextureView)>,
@@ -48,6 +50,7 @@ impl GpuRenderer {
         let pipelines = Pipelines::new(&gpu.device);
         let targets = Targets::new(&gpu.device, size);
         let sampler = print_sampler(&gpu.device);
+        let paints = PaintViews::new(&gpu);
         let blank = float_texture(&gpu, [1, 1], Format::Bytes, &[255; 4]);
         checked(scope, "setting up")?;
         Ok(Self {
@@ -55,6 +58,7 @@ impl GpuRenderer {
             pipelines,
             targets,
             sampler,
+            paints,
             blank,
             uploaded: Vec::new(),
         })
@@ -96,6 +100,7 @@ impl GpuRenderer {
             .device
             .push_error_scope(wgpu::ErrorFilter::Validation);
         self.upload_textures(scene);
+        self.paints.upload(&self.gpu, &scene.background);
         self.draw(scene, &geometry, &bake, &frame);
         checked(scope, "drawing")?;
         self.read_back()
@@ -223,13 +228,17 @@ impl GpuRenderer {
             label: Some("frame"),
             layout: &self.pipelines.frame_layout,
             entries: &[
-                wgpu::BindGroupEntry {
-                    binding: 0,
-                    resource: uniform.as_entire_binding(),
-                },
-                view_entry(1, &key_map),
-                view_entry(2, ground.as_ref().unwrap_or(&self.blank)),
-            ],
+                &[
+                    wgpu::BindGroupEntry {
+                        binding: 0,
+                        resource: uniform.as_entire_binding(),
+                    },
+                    view_entry(1, &key_map),
+                    view_entry(2, ground.as_ref().unwrap_or(&self.blank)),
+                ][..],
+                &self.paints.entries(),
+            ]
+            .concat(),
         })
     }
 

@@ -10,6 +10,7 @@ mod pipelines;
 
 use super::device::Device;
 use super::draw::{check_side, checked, extent, view_entry};
+use super::paints::{Kept, PaintViews};
 use super::pipeline::{COLOR, DEPTH};
 use crate::bake::{ambient_alone, room_on_floor, unit_toward};
 use crate::frame::{Frame, GroundPlace, Places};
@@ -144,6 +145,9 @@ pub struct LiveView {
     meshes: Option<LiveMeshes>,
     has_light: bool,
     strokes: Option<wgpu::Buffer>,
+    paints: PaintViews,
+    /// Group 0 of the picture, with these paints.
+    frame_group: wgpu::BindGroup,
 }
 
 /// What is drawn into.
@@ -166,7 +170,7 @@ struct Shared {
     floor: wgpu::TextureView,
     caster_group: wgpu::BindGroup,
     floor_group: wgpu::BindGroup,
-    frame_group: wgpu::BindGroup,
+    key_sampler: wgpu::Sampler,
 }
 
 impl LiveView {
@@ -192,6 +196,8 @@ impl LiveView {
         let pipelines = LivePipelines::new(device, effort.samples());
         let targets = Targets::new(device, size, effort.samples());
         let shared = Shared::new(device, &pipelines, effort.key_side());
+        let paints = PaintViews::new(&gpu);
+        let frame_group = shared.frame_group(device, &pipelines, &paints);
         checked(scope, "setting up")?;
         Ok(Self {
             gpu,
@@ -203,6 +209,8 @@ impl LiveView {
             meshes: None,
             has_light: false,
             strokes: None,
+            paints,
+            frame_group,
         })
     }
 
@@ -261,6 +269,10 @@ impl LiveView {
         }
         if let Some(meshes) = &mut self.meshes {
             meshes.write(&self.gpu, &self.pipelines, scene);
+        }
+        if self.paints.upload(&self.gpu, &scene.background) == Kept::Changed {
+            let device = &self.gpu.device;
+            self.frame_group = (self.shared).frame_group(device, &self.pipelines, &self.paints);
         }
         self.write_frame(scene);
         self.write_strokes(overlay);
@@ -382,7 +394,7 @@ impl LiveView {
             )),
             ..wgpu::RenderPassDescriptor::default()
         });
-        pass.set_bind_group(0, &self.shared.frame_group, &[]);
+        pass.set_bind_group(0, &self.frame_group, &[]);
         pass.set_pipeline(&self.pipelines.background);
         pass.draw(0..3, 0..1);
         if let Some(meshes) = self.meshes.as_ref().filter(|m| m.index_count > 0) {
@@ -592,27 +604,42 @@ impl Shared {
                 &[
                     buffer_entry(0, &frame),
                     view_entry(1, &key_map),
-                    compares.clone(),
+                    compares,
                     view_entry(4, &under_map),
                     buffer_entry(5, &floor_light),
                     view_entry(6, &key_map),
                 ],
             ),
-            frame_group: group(
-                &pipelines.frame_layout,
-                &[
-                    buffer_entry(0, &frame),
-                    view_entry(1, &key_map),
-                    view_entry(2, &floor),
-                    compares,
-                ],
-            ),
+            key_sampler: sampler,
             frame,
             floor_light,
             key_map,
             under_map,
             floor,
         }
+    }
+
+    /// Group 0 of the picture.
+    fn frame_group(
+        &self,
+        device: &wgpu::Device,
+        pipelines: &LivePipelines,
+        paints: &PaintViews,
+    ) -> wgpu::BindGroup {
+        let own = [
+            buffer_entry(0, &self.frame),
+            view_entry(1, &self.key_map),
+            view_entry(2, &self.floor),
+            wgpu::BindGroupEntry {
+                binding: 3,
+                resource: wgpu::BindingResource::Sampler(&self.key_sampler),
+            },
+        ];
+        device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("frame"),
+            layout: &pipelines.frame_layout,
+            entries: &[&own[..], &paints.entries()].concat(),
+        })
     }
 }
 

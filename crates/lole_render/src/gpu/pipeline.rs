@@ -1,5 +1,6 @@
 //! The pipelines: meshes with one or two sides, and the backdrop.
 
+use super::paints::PaintViews;
 use crate::Sides;
 
 /// Format of the finished picture; the adapter encodes sRGB after it has mixed the samples.
@@ -27,7 +28,7 @@ pub(super) const ATTRIBUTES: [wgpu::VertexAttribute; 6] = wgpu::vertex_attr_arra
 
 /// All pipelines and what they bind.
 pub(super) struct Pipelines {
-    /// Group 0: the picture's constants, the key light's map, the floor's light.
+    /// Group 0: the picture's constants, the key light's map, the floor's light, the landscape's paints.
     pub(super) frame_layout: wgpu::BindGroupLayout,
     /// Group 1: the material's constants, its texture, the sampler.
     pub(super) surface_layout: wgpu::BindGroupLayout,
@@ -40,7 +41,11 @@ impl Pipelines {
     pub(super) fn new(device: &wgpu::Device) -> Self {
         let frame_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("frame"),
-            entries: &[uniform(0), texture(1, READ_ONLY), texture(2, READ_ONLY)],
+            entries: &[
+                &[uniform(0), texture(1, READ_ONLY), texture(2, READ_ONLY)][..],
+                &PaintViews::layout(),
+            ]
+            .concat(),
         });
         let surface_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("surface"),

@@ -13,15 +13,13 @@ struct Frame {
     key_texel_v: vec4<f32>,
     background_top: vec4<f32>,
     background_bottom: vec4<f32>,
-    sky_zenith: vec4<f32>,
-    sky_horizon: vec4<f32>,
-    sun_toward: vec4<f32>,
-    sun_color: vec4<f32>,
+    turned: vec4<f32>,
+    panorama: vec4<f32>,
     floor_near: vec4<f32>,
-    floor_far: vec4<f32>,
+    floor_beyond: vec4<f32>,
+    shore: vec4<f32>,
+    foam: vec4<f32>,
     haze: vec4<f32>,
-    mountains: vec4<f32>,
-    trees: vec4<f32>,
     ground: vec4<f32>,
 }
 
@@ -34,6 +32,11 @@ struct Surface {
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(2) var ground_light: texture_2d<f32>;
+@group(0) @binding(7) var far_paint: texture_2d<f32>;
+@group(0) @binding(8) var near_paint: texture_2d<f32>;
+@group(0) @binding(9) var beyond_paint: texture_2d<f32>;
+@group(0) @binding(10) var paint_sampler: sampler;
+@group(0) @binding(11) var mirrored_paint: texture_2d<f32>;
 @group(1) @binding(0) var<uniform> surface: Surface;
 @group(1) @binding(1) var print: texture_2d<f32>;
 @group(1) @binding(2) var print_sampler: sampler;
@@ -44,6 +47,7 @@ const STEEPEST: f32 = 0.1;
 const WRAP_END: f32 = 0.4;
 const TOE: f32 = 0.01;
 const PI: f32 = 3.14159265;
+const TAU: f32 = 6.28318531;
 
 struct MeshVertex {
     @location(0) position: vec3<f32>,
@@ -252,86 +256,124 @@ fn background_fragment(in: BackgroundFragment) -> @location(0) vec4<f32> {
         let hit = frame.eye.xyz + ray * (drop / ray.y);
         ground = ground_factor(hit.xz);
     }
+    let noise = pixel_noise(pixel);
     let place = pixel / vec2<f32>(frame.ray_right.w, frame.ray_down.w);
     let down = place.y * place.y * (3.0 - 2.0 * place.y);
     var base = mix(frame.background_top.rgb, frame.background_bottom.rgb, down);
-    if frame.sky_zenith.w > 0.5 {
-        base = landscape(normalize_or(ray, vec3<f32>(0.0, 0.0, -1.0)));
+    if frame.turned.w > 0.5 {
+        base = landscape(normalize_or(ray, vec3<f32>(0.0, 0.0, -1.0)), noise);
     }
     let from_middle = (place - vec2<f32>(0.5, 0.52)) * vec2<f32>(1.5, 1.25);
     let corner = min(dot(from_middle, from_middle), 1.0);
     let glow = 1.0 + frame.background_top.w * (0.45 - corner * (2.0 - corner));
     let color = base * glow * ground;
-    let grain = (pixel_noise(pixel) - 0.5) * (2.2 / 255.0);
+    let grain = (noise - 0.5) * (2.2 / 255.0);
     let light = max(color + sqrt(max(color, vec3<f32>(0.0))) * grain, vec3<f32>(0.0));
     return vec4<f32>(written(light), 1.0);
 }
 
-fn landscape(ray: vec3<f32>) -> vec3<f32> {
+fn landscape(ray: vec3<f32>, noise: f32) -> vec3<f32> {
     let drop = frame.ground.x - frame.eye.y;
+    let seen = turned(ray);
     if ray.y > -1.0e-5 || drop >= 0.0 {
-        return outlined(ray, sky(ray));
+        return textureSampleLevel(far_paint, paint_sampler, far_uv(seen), frame.panorama.z).rgb;
     }
-    let way = drop / ray.y;
-    let hit = frame.eye.xyz + ray * way;
-    let from_middle = length(hit.xz);
-    let dim = min(from_middle / frame.floor_near.w, 100.0);
-    let near = frame.floor_near.rgb / (1.0 + dim * dim * dim * dim);
-    let beyond = smooth_between(frame.floor_far.w, frame.floor_far.w * 1.12, from_middle);
-    let base = mix(near, frame.floor_far.rgb, beyond);
-    let grazing = 1.0 + ray.y;
-    let mirrors = frame.sun_toward.w + (frame.sun_color.w - frame.sun_toward.w) * beyond;
-    let upward = vec3<f32>(ray.x, -ray.y, ray.z);
-    let mirrored = outlined(upward, sky(upward));
-    let floor_color = mix(base, mirrored, mirrors * grazing * grazing * grazing);
-    let far = way / (way + frame.haze.w);
-    return mix(floor_color, frame.haze.rgb, far * far);
-}
-
-fn sky(ray: vec3<f32>) -> vec3<f32> {
-    let up = clamp(ray.y / frame.sky_horizon.w, 0.0, 1.0);
-    let plain = mix(frame.sky_horizon.rgb, frame.sky_zenith.rgb, up * (2.0 - up));
-    let near = max(dot(ray, frame.sun_toward.xyz), 0.0);
-    let near_4 = near * near * near * near;
-    let near_16 = near_4 * near_4 * near_4 * near_4;
-    return plain + frame.sun_color.rgb * (0.35 * near_4 + 0.65 * near_16 * near_16);
-}
-
-fn outlined(ray: vec3<f32>, sky_color: vec3<f32>) -> vec3<f32> {
-    let around = ray.xz / max(length(ray.xz), 1.0e-6);
-    let twice = times(around, around);
-    let thrice = times(twice, around);
-    let fifth = times(thrice, twice);
-    let eighth = times(fifth, thrice);
-    let thirteenth = times(eighth, fifth);
-    let twenty_first = times(thirteenth, eighth);
-    let thirty_fourth = times(twenty_first, thirteenth);
-    let fifty_fifth = times(thirty_fourth, twenty_first);
-    let eighty_ninth = times(fifty_fifth, thirty_fourth);
-    let finest = times(times(eighty_ninth, fifty_fifth), eighty_ninth);
-    let ridge = 0.55 + 0.22 * thrice.y + 0.18 * fifth.x - 0.22 * abs(eighth.y)
-        + 0.12 * (1.0 - 2.0 * abs(thirteenth.x))
-        + 0.05 * (1.0 - 2.0 * abs(thirty_fourth.y));
-    let crowns = 0.55
-        + 0.12 * thirteenth.y
-        + 0.12 * abs(thirty_fourth.y)
-        + 0.12 * abs(fifty_fifth.x)
-        + 0.09 * abs(eighty_ninth.y)
-        + 0.06 * abs(finest.x);
-    return before(before(sky_color, frame.mountains, ridge, ray.y), frame.trees, crowns, ray.y);
-}
-
-fn before(sky_color: vec3<f32>, outline: vec4<f32>, share: f32, height: f32) -> vec3<f32> {
-    let top = outline.w * share;
-    var seen = 0.0;
-    if outline.w > 0.0 {
-        seen = 1.0 - smooth_between(top - 0.0025, top + 0.0025, height);
+    var standing = vec4<f32>(0.0);
+    if ray.y > frame.panorama.y {
+        standing = textureSampleLevel(far_paint, paint_sampler, far_uv(seen), frame.panorama.z);
     }
-    return mix(sky_color, outline.rgb, seen);
+    let below = floor_color(seen, drop / ray.y, noise);
+    return mix(below, standing.rgb, standing.a);
 }
 
-fn times(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
-    return vec2<f32>(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+fn turned(world: vec3<f32>) -> vec3<f32> {
+    let cosine = frame.turned.x;
+    let sine = frame.turned.y;
+    return vec3<f32>(
+        world.x * cosine - world.z * sine,
+        world.y,
+        world.x * sine + world.z * cosine,
+    );
+}
+
+fn far_uv(seen: vec3<f32>) -> vec2<f32> {
+    let around = atan2(seen.x, -seen.z) / TAU + 0.5;
+    let margin = 0.5 / f32(textureDimensions(far_paint).y);
+    let down = (frame.panorama.x - seen.y) / (frame.panorama.x - frame.panorama.y);
+    return vec2<f32>(around, clamp(down, margin, 1.0 - margin));
+}
+
+fn wave(turns: f32) -> f32 {
+    let part = turns - floor(turns + 0.5);
+    return part * (8.0 - 16.0 * abs(part));
+}
+
+fn floor_color(seen: vec3<f32>, way: f32, noise: f32) -> vec3<f32> {
+    let hit = turned(frame.eye.xyz) + seen * way;
+    let at = hit.xz;
+    let from_middle = length(at);
+    let across = way * frame.turned.z;
+    let along = across / max(-seen.y, 1.0e-3);
+    let toward = frame.shore.xy;
+    var out = dot(at, toward) - frame.shore.z;
+    let foam = frame.foam.w;
+    if foam > 0.0 {
+        let side = at.x * toward.y - at.y * toward.x;
+        out += foam
+            * (0.55 * wave(side * 0.06 + 0.1)
+                + 0.30 * wave(side * 0.18)
+                + 0.12 * wave(side * 0.5 + 0.3));
+    }
+    let edge = max(0.6 * along, 0.02);
+    let beyond = smooth_between(-edge, edge, out);
+    var wet = 0.0;
+    if foam > 0.0 {
+        wet = smooth_between(-5.0 * foam, -0.6 * foam, out);
+    }
+    var base = vec3<f32>(0.0);
+    var mirrors = 0.0;
+    var waves = 0.0;
+    if beyond < 1.0 {
+        let repeats = frame.floor_near.x;
+        let texels = repeats * f32(textureDimensions(near_paint).x);
+        let lod = painted_lod(vec2<f32>(across, along), texels, noise);
+        let paint = textureSampleLevel(near_paint, paint_sampler, at * repeats, lod).rgb;
+        let dim = min(from_middle / frame.panorama.w, 100.0);
+        let slow = wave(at.x * 0.13 + 0.27 * wave(at.y * 0.1));
+        let tone = 1.0 + 0.05 * slow * wave(at.y * 0.11 + 0.2);
+        let lit = tone / (1.0 + dim * dim * dim * dim);
+        base = paint * (lit * (1.0 - 0.45 * wet));
+        mirrors = frame.floor_near.y + 0.55 * wet;
+        waves = frame.floor_near.z * paint.y;
+    }
+    if beyond > 0.0 {
+        let repeats = frame.floor_beyond.x;
+        let texels = repeats * f32(textureDimensions(beyond_paint).x);
+        let lod = painted_lod(vec2<f32>(across, along), texels, noise);
+        let paint = textureSampleLevel(beyond_paint, paint_sampler, at * repeats, lod).rgb;
+        base = mix(base, paint, beyond);
+        mirrors += (frame.floor_beyond.y - mirrors) * beyond;
+        waves += (frame.floor_beyond.z * paint.y - waves) * beyond;
+    }
+    let grazing = 1.0 + seen.y;
+    let share = mirrors * grazing * grazing * grazing;
+    if share > 0.002 {
+        let upward = far_uv(vec3<f32>(seen.x, waves - seen.y, seen.z));
+        let mirrored = textureSampleLevel(mirrored_paint, paint_sampler, upward, 0.0).rgb;
+        base = mix(base, mirrored, min(share, 1.0));
+    }
+    if foam > 0.0 {
+        let swash = smooth_between(-0.5 * foam, -0.1 * foam, out);
+        let spent = smooth_between(0.1 * foam, 1.6 * foam, out);
+        base = mix(base, frame.foam.rgb, swash * (1.0 - spent));
+    }
+    let far = way / (way + frame.floor_near.w);
+    return mix(base, frame.haze.rgb, far * far);
+}
+
+fn painted_lod(sides: vec2<f32>, texels: f32, noise: f32) -> f32 {
+    let lod = texture_lod(vec2<f32>(sides.x * texels, 0.0), vec2<f32>(0.0, sides.y * texels));
+    return max(floor(lod + noise), 0.0);
 }
 
 fn smooth_between(low: f32, high: f32, value: f32) -> f32 {

@@ -1,6 +1,7 @@
 //! The pipelines of a window's picture: shadow casters, the floor's light, meshes, backdrop, lines.
 
 use crate::Sides;
+use crate::gpu::paints::PaintViews;
 use crate::gpu::pipeline::{
     ATTRIBUTES, COLOR, DEPTH, FILTERED, READ_ONLY, Vertex, sampler, texture, uniform,
 };
@@ -14,7 +15,7 @@ pub(super) struct LivePipelines {
     pub(super) caster_layout: wgpu::BindGroupLayout,
     /// Group 0 of the floor: those, the key light's map and the map from below.
     pub(super) floor_layout: wgpu::BindGroupLayout,
-    /// Group 0 of the picture: its constants, the key light's map, the floor's light.
+    /// Group 0 of the picture: its constants, the key light's map, the floor's light, the landscape's paints.
     pub(super) frame_layout: wgpu::BindGroupLayout,
     /// Group 1 of the picture: the material's constants, its texture, the sampler.
     pub(super) surface_layout: wgpu::BindGroupLayout,
@@ -81,11 +82,15 @@ impl LivePipelines {
         let frame_layout = layout(
             "frame",
             &[
-                uniform(0),
-                texture(1, DEPTHS),
-                texture(2, READ_ONLY),
-                comparison(3),
-            ],
+                &[
+                    uniform(0),
+                    texture(1, DEPTHS),
+                    texture(2, READ_ONLY),
+                    comparison(3),
+                ][..],
+                &PaintViews::layout(),
+            ]
+            .concat(),
         );
         let surface_layout = layout("surface", &[uniform(0), texture(1, FILTERED), sampler(2)]);
         let build = |recipe: &Recipe<'_>| recipe.build(device, &shader, samples);
