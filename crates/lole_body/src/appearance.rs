@@ -3,7 +3,7 @@
 mod hair;
 mod hair_paint;
 
-pub(crate) use hair::add_hair;
+pub(crate) use hair::{add_hair, strands};
 
 use crate::{Dancer, Figure};
 

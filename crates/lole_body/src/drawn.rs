@@ -34,6 +34,8 @@ pub struct Expression {
 pub struct DrawnBody {
     /// Its surface in the bind pose, with open eyes that look ahead.
     pub mesh: SkinnedMesh,
+    /// Single strands over the hair, for pictures from near by: ribbons, in one part.
+    pub strands: SkinnedMesh,
     /// Points that move with the lids.
     lids: Vec<LidPoint>,
     /// The left eye and the right one.

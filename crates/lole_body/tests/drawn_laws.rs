@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::Vec3;
 use lole_body::{
-    Appearance, BodyError, Bone, Dancer, Expression, Figure, Measurements, PartKind, Pose,
-    SkinnedMesh, Tape,
+    Appearance, BodyError, Bone, Dancer, Expression, Figure, HairStyle, Measurements, PartKind,
+    Pose, SkinnedMesh, Tape,
 };
 use lole_geom::{Chance, Length, TriangleGrid};
 
@@ -227,4 +227,47 @@ fn eyes_turn_to_what_she_looks_at_and_stay_where_they_are() {
 fn the_same_tape_draws_the_same_bits() {
     let [one, other] = [(); 2].map(|()| drawn(&Measurements::woman()).unwrap());
     assert_eq!(one.drawn_body, other.drawn_body);
+}
+
+/// Single strands lie on hair or on the skin beside it, in every style and on unlike heads, and the head carries them.
+#[test]
+fn strands_lie_on_the_hair() {
+    for measurements in dancers(3).iter().map(|dancer| dancer.measurements) {
+        for hair in [
+            HairStyle::Bun,
+            HairStyle::Long,
+            HairStyle::Short,
+            HairStyle::Bob,
+        ] {
+            let appearance = Appearance {
+                hair,
+                ..Appearance::default()
+            };
+            let dancer = Dancer::with_appearance(&measurements, &appearance).unwrap();
+            let (drawn, strands) = (dancer.drawn(), &dancer.drawn_body.as_ref().unwrap().strands);
+            let [part] = &strands.parts[..] else {
+                panic!("{} parts", strands.parts.len());
+            };
+            assert!(
+                part.triangles.len() > 10_000,
+                "{} triangles",
+                part.triangles.len()
+            );
+            let on: Vec<Vec3> = (drawn.parts.iter())
+                .filter(|part| matches!(part.kind, PartKind::Hair | PartKind::Skin))
+                .flat_map(|part| part.triangles.iter().flatten())
+                .map(|&vertex| drawn.positions[vertex as usize])
+                .filter(|place| f64::from(place.y) > 0.5 * measurements.stature.to_m())
+                .collect();
+            for (vertex, place) in strands.positions.iter().enumerate().step_by(97) {
+                let nearest = (on.iter())
+                    .map(|other| other.distance(*place))
+                    .fold(f32::INFINITY, f32::min);
+                assert!(nearest < 0.02, "{hair:?}: {nearest} m off at {place}");
+                assert!((strands.normals[vertex].length() - 1.0).abs() < 1.0e-3);
+                let sum: f32 = strands.weights[vertex].iter().sum();
+                assert!((sum - 1.0).abs() < 1.0e-4, "weights {vertex}");
+            }
+        }
+    }
 }

@@ -42,8 +42,20 @@ pub struct Looks {
     pub skin_uvs: Vec<Vec2>,
     /// Linear factors on the colors of her vertices; empty where there are none.
     pub skin_colors: Vec<Vec3>,
+    /// Single strands of her hair; `None` where there are none.
+    pub strands: Option<Strands>,
     /// What is around her.
     pub set: StageSet,
+}
+
+/// How single strands of hair look.
+pub struct Strands {
+    /// Their material.
+    pub material: Material,
+    /// Where they lie in its picture.
+    pub uvs: Vec<Vec2>,
+    /// Their triangles.
+    pub triangles: Vec<[u32; 3]>,
 }
 
 /// How one part of the dancer looks.
@@ -90,6 +102,16 @@ impl Looks {
         let surfaces = production.surfaces();
         let skin = production.dancer.drawn();
         let materials = dancer_materials(&production.dancer)?;
+        let hair = (materials.iter()).find(|(kind, _)| *kind == PartKind::Hair);
+        let drawn = production.dancer.drawn_body.as_ref();
+        let strands = hair.zip(drawn).map(|((_, hair), drawn)| {
+            let triangles = drawn.strands.parts.iter().flat_map(|part| &part.triangles);
+            Strands {
+                material: strand_material(hair),
+                uvs: drawn.strands.uvs.clone(),
+                triangles: triangles.copied().collect(),
+            }
+        });
         let parts = skin.parts.iter().zip(materials);
         Ok(Self {
             worn: surfaces
@@ -103,6 +125,7 @@ impl Looks {
                 .collect(),
             skin_uvs: skin.uvs.clone(),
             skin_colors: skin.colors.clone(),
+            strands,
             set: design.stage.set,
         })
     }
@@ -165,9 +188,19 @@ impl Looks {
             material: &part.material,
         });
         let cloth_count = self.worn.iter().filter(|cover| cover.is_cloth).count();
+        let [positions, normals] = dancer.strands;
+        let strands = (self.strands.iter()).map(|strands| SceneMesh {
+            positions,
+            normals,
+            uvs: &strands.uvs,
+            colors: &[],
+            triangles: &strands.triangles,
+            material: &strands.material,
+        });
+        let strands = strands.filter(|mesh| mesh.uvs.len() == mesh.positions.len());
         let mut meshes: Vec<SceneMesh<'a>> = worn.collect();
         let beside = meshes.split_off(cloth_count);
-        meshes.extend(parts);
+        meshes.extend(parts.chain(strands));
         meshes.extend(beside);
         meshes
     }
@@ -346,6 +379,20 @@ fn part_material(kind: PartKind, paint: &Paint<'_>) -> Material {
         },
         PartKind::Flower => Material::cloth(linear(appearance::FLOWER_SRGB)),
         PartKind::FlowerHeart => Material::cloth(linear(appearance::FLOWER_HEART_SRGB)),
+    }
+}
+
+/// Single strands over hair of a material: they shine, and are seen from both sides.
+fn strand_material(hair: &Material) -> Material {
+    Material {
+        roughness: 0.48,
+        specular: 0.032,
+        sheen: 0.06,
+        sides: Sides::Both,
+        ..Material {
+            texture: hair.texture.clone(),
+            ..Material::hair([1.0; 3])
+        }
     }
 }
 

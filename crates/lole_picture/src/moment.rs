@@ -19,6 +19,8 @@ pub struct DrawnDancer<'a> {
     pub colored: Option<&'a Material>,
     /// The posed body: vertices [m] and their normals.
     pub body: [&'a [Vec3]; 2],
+    /// Single strands of her hair, in the same way; empty where they are not drawn.
+    pub strands: [&'a [Vec3]; 2],
 }
 
 /// The body as it is drawn in a pose.
@@ -41,6 +43,8 @@ pub struct Moment {
     pub worn: Vec<Vertices>,
     /// The body.
     pub body: Vertices,
+    /// Single strands of her hair, where it is photographed; else empty.
+    pub strands: Vertices,
 }
 
 impl Moment {
@@ -57,14 +61,19 @@ impl Moment {
         Self::with(performance, now)
     }
 
-    /// The present frame of a performance as it is photographed: nobody blinks.
+    /// The present frame of a performance as it is photographed: nobody blinks, and hair has its strands.
     #[must_use]
     pub fn photographed(performance: &Performance) -> Self {
         let now = Expression {
             closed: 0.0,
             ..alive::expression(performance, 0.0)
         };
-        Self::with(performance, now)
+        let mut moment = Self::with(performance, now);
+        if let Some(drawn) = &performance.production().dancer.drawn_body {
+            let [positions, normals] = &mut moment.strands;
+            (drawn.strands).pose(performance.world_from_bind(), positions, normals);
+        }
+        moment
     }
 
     fn with(performance: &Performance, expression: Expression) -> Self {
@@ -82,13 +91,17 @@ impl Moment {
     pub fn new(production: &Production, worn: Vec<Vertices>, mut body: Vertices) -> Self {
         let [positions, normals] = &mut body;
         lole_stage::give_way(production, &worn, (positions, normals));
-        Self { worn, body }
+        Self {
+            worn,
+            body,
+            strands: Vertices::default(),
+        }
     }
 
     /// The same, so far elsewhere on the stage [m].
     #[must_use]
     pub fn moved(mut self, by: Vec3) -> Self {
-        let surfaces = self.worn.iter_mut().chain([&mut self.body]);
+        let surfaces = (self.worn.iter_mut()).chain([&mut self.body, &mut self.strands]);
         for place in surfaces.flat_map(|[positions, _]| positions) {
             *place += by;
         }
@@ -103,6 +116,7 @@ impl Moment {
             colors: &[],
             colored: None,
             body: [&self.body[0], &self.body[1]],
+            strands: [&self.strands[0], &self.strands[1]],
         }
     }
 }

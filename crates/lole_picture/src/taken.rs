@@ -106,7 +106,7 @@ fn owned(material: &GlbMaterial<'_>, mesh: &str) -> TakeMaterial {
 /// The present frame: the pose, and the vertices of [`take_scene`]'s meshes; call [`Performance::pose_body`] first.
 #[must_use]
 pub fn take_frame(performance: &Performance) -> (Pose, Vec<TakeVertices>) {
-    let Moment { mut worn, body } = Moment::of(performance);
+    let Moment { mut worn, body, .. } = Moment::of(performance);
     if !is_kept_here(performance.production().license.as_ref()) {
         worn.push(body);
     }

@@ -13,6 +13,7 @@ use lole_geom::trig;
 
 mod cut;
 mod fall;
+mod strands;
 
 use super::HairStyle;
 use super::hair_paint::hairline_v;
@@ -22,6 +23,7 @@ use crate::surface::pchip::Pchip;
 use crate::surface::warp::smooth_step;
 use crate::{Bone, MeshPart, PartKind, SkinnedMesh};
 use cut::Cut;
+use fall::Fall;
 
 /// Direction of the bun: straight back, this much up [°].
 const BUN_LATITUDE: f32 = 24.0;
@@ -34,21 +36,11 @@ const FLOWER_RADIUS: f32 = 0.034;
 
 /// Appends hair and, where it is worn, the flower to the skin.
 pub(crate) fn add_hair(skin: &mut SkinnedMesh, (shape, head): (&Shape, &Head), style: HairStyle) {
-    let cut = Cut::of(style);
-    let scalp = Scalp {
-        head,
-        center: shape.body.head.center,
-        k: shape.head_size,
-        hairline: Pchip::new(cut.hairline),
-        cover: Pchip::new(cut.cover),
-        crown: direction(180.0, cut.crown_latitude),
-        hangs: cut.hangs,
-        dense: if cut.hangs.is_some() { 9.0 } else { 0.0 },
-    };
+    let scalp = Scalp::new((shape, head), style);
     let mut hair = scalp.cap();
     let has_flower = matches!(style, HairStyle::Bun | HairStyle::Long);
     match style {
-        HairStyle::Long => hair.append(&fall::fall(shape, &scalp, &hair)),
+        HairStyle::Long => hair.append(&Fall::new(shape, &scalp, &hair).solid()),
         HairStyle::Short | HairStyle::Bob => {}
         HairStyle::OfFigure | HairStyle::Bun => hair.append(&scalp.bun()),
     }
@@ -58,6 +50,13 @@ pub(crate) fn add_hair(skin: &mut SkinnedMesh, (shape, head): (&Shape, &Head), s
         petals.add_to(skin, PartKind::Flower);
         heart.add_to(skin, PartKind::FlowerHeart);
     }
+}
+
+/// Single strands that lie over that hair, as a mesh of their own.
+pub(crate) fn strands((shape, head): (&Shape, &Head), style: HairStyle) -> SkinnedMesh {
+    let scalp = Scalp::new((shape, head), style);
+    let fall = (style == HairStyle::Long).then(|| Fall::new(shape, &scalp, &scalp.cap()));
+    strands::strands(&scalp, style, fall.as_ref())
 }
 
 struct Scalp<'a> {
@@ -114,23 +113,30 @@ struct Spot {
     around: Vec3,
 }
 
+impl Spot {
+    /// The spot at these angles [rad] around an axis; `frame` is that of [`frame`].
+    fn of(polar: f32, azimuth: f32, (across, up): (Vec3, Vec3)) -> Self {
+        let (sin_polar, cos_polar) = trig::sin_cos(polar);
+        let (sin_azimuth, cos_azimuth) = trig::sin_cos(azimuth);
+        Self {
+            polar,
+            azimuth,
+            sin_polar,
+            cos_polar,
+            around: across * cos_azimuth + up * sin_azimuth,
+        }
+    }
+}
+
 /// Rings of vertices from one pole of `axis` to the other, as many parts as `counts` says along
 /// and around it, each vertex where `place` puts it.
 fn rings(counts: [usize; 2], axis: Vec3, place: impl Fn(Spot) -> Vec3) -> Vec<Vec<Vec3>> {
-    let (across, up) = frame(axis);
+    let frame = frame(axis);
     let ring = |ring: usize| {
         let polar = PI * ring as f32 / counts[0] as f32;
-        let (sin_polar, cos_polar) = trig::sin_cos(polar);
         let vertex = |step: usize| {
             let azimuth = TAU * step as f32 / counts[1] as f32;
-            let (sin_azimuth, cos_azimuth) = trig::sin_cos(azimuth);
-            place(Spot {
-                polar,
-                azimuth,
-                sin_polar,
-                cos_polar,
-                around: across * cos_azimuth + up * sin_azimuth,
-            })
+            place(Spot::of(polar, azimuth, frame))
         };
         (0..counts[1]).map(vertex).collect()
     };
@@ -150,12 +156,35 @@ fn lock_height(spot: &Spot) -> f32 {
     0.0004 * wave(26.0, 1.0) + 0.0003 * wave(17.0, 1.6) + 0.0002 * wave(41.0, 0.7)
 }
 
+impl<'a> Scalp<'a> {
+    fn new((shape, head): (&Shape, &'a Head), style: HairStyle) -> Self {
+        let cut = Cut::of(style);
+        Self {
+            head,
+            center: shape.body.head.center,
+            k: shape.head_size,
+            hairline: Pchip::new(cut.hairline),
+            cover: Pchip::new(cut.cover),
+            crown: direction(180.0, cut.crown_latitude),
+            hangs: cut.hangs,
+            dense: if cut.hangs.is_some() { 9.0 } else { 0.0 },
+        }
+    }
+}
+
 impl Scalp<'_> {
     /// How far a direction lies inside the hairline [°].
     fn inside(&self, towards: Vec3) -> f32 {
         let latitude = trig::asin(towards.y).to_degrees();
         let longitude = trig::atan2(towards.x.abs(), towards.z).to_degrees();
         latitude - self.hairline.at(longitude)
+    }
+
+    /// Distance [m] of the skin from the head's center in a direction.
+    fn skin(&self, towards: Vec3) -> f32 {
+        let latitude = trig::asin(towards.y).to_degrees();
+        let longitude = trig::atan2(towards.x.abs(), towards.z).to_degrees();
+        self.head.radius(longitude, latitude)
     }
 
     /// Distance [m] of the hair from the head's center in a direction.
@@ -217,15 +246,8 @@ impl Scalp<'_> {
         const RINGS: usize = 30;
         const AROUND: usize = 64;
         let axis = direction(180.0, BUN_LATITUDE);
-        let radius = BUN_RADIUS * self.k;
-        let center = self.center + axis * (self.radius(axis) + 0.40 * radius);
-        let rings_of = rings([RINGS, AROUND], axis, |spot| {
-            // Two strands, each wound two and a half times: round ropes with a groove between.
-            let wave = trig::sin(spot.azimuth + 7.5 * spot.polar);
-            let rope = (1.0 - wave * wave * wave * wave) * spot.sin_polar;
-            let length = radius * (0.94 + 0.085 * rope);
-            center + (axis * (0.74 * spot.cos_polar) + spot.around * spot.sin_polar) * length
-        });
+        let (center, radius) = self.bun_ball();
+        let rings_of = rings([RINGS, AROUND], axis, |spot| self.on_bun_at(&spot));
         let poles = [0.74, -0.74].map(|share| center + axis * (share * 0.94 * radius));
         let mut solid = Solid::from_rings(&rings_of, poles);
         let place = |spot: &Spot| {
@@ -240,6 +262,25 @@ impl Scalp<'_> {
             .chain([Vec2::new(0.1, 0.4), Vec2::new(0.9, 0.4)])
             .collect();
         solid
+    }
+
+    /// Center and radius of the bun [m].
+    fn bun_ball(&self) -> (Vec3, f32) {
+        let axis = direction(180.0, BUN_LATITUDE);
+        let radius = BUN_RADIUS * self.k;
+        let center = self.center + axis * (self.radius(axis) + 0.40 * radius);
+        (center, radius)
+    }
+
+    /// Where the bun is at a spot around its axis.
+    fn on_bun_at(&self, spot: &Spot) -> Vec3 {
+        let axis = direction(180.0, BUN_LATITUDE);
+        let (center, radius) = self.bun_ball();
+        // Two strands, each wound two and a half times: round ropes with a groove between.
+        let wave = trig::sin(spot.azimuth + 7.5 * spot.polar);
+        let rope = (1.0 - wave * wave * wave * wave) * spot.sin_polar;
+        let length = radius * (0.94 + 0.085 * rope);
+        center + (axis * (0.74 * spot.cos_polar) + spot.around * spot.sin_polar) * length
     }
 
     /// A plumeria: five petals turned like a pinwheel, and its heart.

@@ -76,7 +76,13 @@ pub(crate) fn build_drawn(
     lids.extend(lashes);
     lids.sort_by_key(|lid| lid.vertex);
     lids.dedup_by_key(|lid| lid.vertex);
-    Ok((DrawnBody { mesh, lids, eyes }, scalp))
+    let drawn = DrawnBody {
+        mesh,
+        strands: crate::SkinnedMesh::default(),
+        lids,
+        eyes,
+    };
+    Ok((drawn, scalp))
 }
 
 /// Carries a head and its eye to the body's measures.

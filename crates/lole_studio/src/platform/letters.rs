@@ -257,6 +257,7 @@ fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
         parts,
         skin_uvs: unpacker.list()?,
         skin_colors: unpacker.list()?,
+        strands: None,
         set: *StageSet::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
     })
 }
@@ -317,6 +318,7 @@ pub(crate) fn get_moment(unpacker: &mut Unpacker<'_>) -> Option<Moment> {
     Some(Moment {
         worn: unpacker.each(get_vertices)?,
         body: get_vertices(unpacker)?,
+        strands: Default::default(),
     })
 }
 

@@ -11,9 +11,10 @@ use crate::surface::pchip::Pchip;
 use crate::surface::warp::smooth_step;
 
 /// Half the width of the fall [cm] by its share from top to bottom.
-const HALF_WIDTH: [[f32; 2]; 7] = [
-    [0.0, 5.2],
-    [0.1, 6.8],
+const HALF_WIDTH: [[f32; 2]; 8] = [
+    [0.0, 1.0],
+    [0.04, 3.9],
+    [0.1, 6.3],
     [0.3, 7.0],
     [0.5, 8.8],
     [0.75, 9.2],
@@ -22,9 +23,10 @@ const HALF_WIDTH: [[f32; 2]; 7] = [
 ];
 /// How far it stands off skin and cap in the middle [cm]: nothing at the top, where it grows out of
 /// the cap.
-const STAND_OFF: [[f32; 2]; 6] = [
-    [0.0, -0.6],
-    [0.12, 0.3],
+const STAND_OFF: [[f32; 2]; 7] = [
+    [0.0, -1.8],
+    [0.05, -0.5],
+    [0.14, 0.4],
     [0.3, 1.2],
     [0.7, 1.4],
     [0.93, 1.0],
@@ -36,12 +38,91 @@ const THICKNESS: f32 = 1.7;
 const FORWARD: f32 = 0.15;
 /// How far down the back it goes, between shoulder and waist.
 const LENGTH: f32 = 0.66;
-const RINGS: usize = 72;
+pub(super) const RINGS: usize = 72;
 /// Columns of either side of the sheet.
-const COLUMNS: usize = 29;
+pub(super) const COLUMNS: usize = 29;
 
-/// The fall behind head and back; `cap` is the hair on the head.
-pub(super) fn fall(shape: &Shape, scalp: &Scalp<'_>, cap: &Solid) -> Solid {
+/// The fall behind head and back.
+pub(super) struct Fall {
+    /// Around, from above down: the outer side from her right to her left, the inner one back.
+    rings: Vec<Vec<Vec3>>,
+    /// Heights of shoulder and head, between which the head takes over, and of the chest [m].
+    neck: [f32; 2],
+    chest: f32,
+}
+
+impl Fall {
+    /// Hangs it; `cap` is the hair on the head.
+    pub(super) fn new(shape: &Shape, scalp: &Scalp<'_>, cap: &Solid) -> Self {
+        let body = &shape.body;
+        Self {
+            rings: hung(shape, scalp, cap),
+            neck: [body.level("shoulder"), body.joint("head").y],
+            chest: body.joint("upperChest").y,
+        }
+    }
+
+    /// Bones of a point at a height.
+    pub(super) fn carried(&self, y: f32) -> ([u16; 4], [f32; 4]) {
+        carried(y, self.neck, self.chest)
+    }
+
+    /// Place and outward direction of the outer side, at a ring and a column of it that need not be whole.
+    pub(super) fn at(&self, ring: f32, column: f32) -> Option<(Vec3, Vec3)> {
+        let (row, place) = (ring.floor(), column.floor());
+        let [first, second] =
+            [index(row), index(row).checked_add(1)?].map(|row| row.min(RINGS - 1));
+        let [left, right] = [index(place), index(place) + 1].map(|place| place.min(COLUMNS - 1));
+        let [upper, lower] = [first, second].map(|row| self.rings.get(row));
+        let (upper, lower) = (upper?, lower?);
+        let share = column - place;
+        let [above, below] = [upper, lower].map(|ring| ring[left].lerp(ring[right], share));
+        let across = upper[right] - upper[left];
+        let outward = across
+            .cross(upper[left] - lower[left])
+            .normalize_or(Vec3::NEG_Z);
+        let outward = if outward.z > 0.0 { -outward } else { outward };
+        Some((above.lerp(below, ring - row), outward))
+    }
+
+    /// Its closed surface.
+    pub(super) fn solid(&self) -> Solid {
+        let middle = |ring: &[Vec3]| ring.iter().sum::<Vec3>() / ring.len() as f32;
+        let poles = [middle(&self.rings[0]), middle(&self.rings[RINGS - 1])];
+        let around = self.rings[0].len();
+        let mut solid = Solid::from_rings(&self.rings, poles);
+        solid.uvs = (0..RINGS * around)
+            .map(|index| {
+                let (ring, column) = (index / around, index % around);
+                let is_outer = column < COLUMNS;
+                let column = if is_outer { column } else { around - column };
+                let across = column as f32 / (COLUMNS - 1) as f32;
+                let down = ring as f32 / RINGS as f32;
+                // Light hardly comes to the inner side.
+                let row = if is_outer { 16.0 + 50.0 * down } else { 39.0 };
+                Vec2::new(0.1 + 0.6 * across, hairline_v(row))
+            })
+            .chain([16.0, 66.0].map(|inside| Vec2::new(0.3, hairline_v(inside))))
+            .collect();
+        solid.carried = (solid.positions.iter())
+            .map(|point| self.carried(point.y))
+            .collect();
+        solid
+    }
+}
+
+/// A whole number that is not negative, as an index.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "cut off at 0, and rings are few"
+)]
+fn index(whole: f32) -> usize {
+    whole.max(0.0) as usize
+}
+
+/// The rings of the fall; `cap` is the hair on the head.
+fn hung(shape: &Shape, scalp: &Scalp<'_>, cap: &Solid) -> Vec<Vec<Vec3>> {
     let k = scalp.k;
     let body = &shape.body;
     let top = scalp.center.y + 0.075 * k;
@@ -80,29 +161,7 @@ pub(super) fn fall(shape: &Shape, scalp: &Scalp<'_>, cap: &Solid) -> Solid {
         let inner = (1..COLUMNS - 1).rev().map(|column| place(column, false));
         rings.push(outer.chain(inner).collect::<Vec<Vec3>>());
     }
-    let middle = |ring: &[Vec3]| ring.iter().sum::<Vec3>() / ring.len() as f32;
-    let poles = [middle(&rings[0]), middle(&rings[RINGS - 1])];
-    let around = rings[0].len();
-    let mut solid = Solid::from_rings(&rings, poles);
-    solid.uvs = (0..RINGS * around)
-        .map(|index| {
-            let (ring, column) = (index / around, index % around);
-            let column = if column < COLUMNS {
-                column
-            } else {
-                around - column
-            };
-            let across = column as f32 / (COLUMNS - 1) as f32;
-            let down = ring as f32 / RINGS as f32;
-            Vec2::new(0.1 + 0.6 * across, hairline_v(16.0 + 50.0 * down))
-        })
-        .chain([16.0, 66.0].map(|inside| Vec2::new(0.3, hairline_v(inside))))
-        .collect();
-    let neck = [body.level("shoulder"), body.joint("head").y];
-    solid.carried = (solid.positions.iter())
-        .map(|point| carried(point.y, neck, body.joint("upperChest").y))
-        .collect();
-    solid
+    rings
 }
 
 /// Hair beside hair lies level: a few passes of means over neighbors.
