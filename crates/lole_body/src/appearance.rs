@@ -6,6 +6,7 @@ mod hair_paint;
 pub(crate) use hair::{add_hair, strands};
 
 use crate::{Dancer, Figure};
+use lole_language::{Words, words};
 
 /// Color of bare skin unless another is chosen, sRGB-encoded bytes.
 pub const SKIN_SRGB: [u8; 3] = [222, 178, 148];
@@ -37,6 +38,27 @@ pub enum HairStyle {
 }
 
 impl HairStyle {
+    /// All of them, the usual one first.
+    pub const ALL: [Self; 5] = [
+        Self::OfFigure,
+        Self::Bun,
+        Self::Long,
+        Self::Short,
+        Self::Bob,
+    ];
+
+    /// What a person calls it.
+    #[must_use]
+    pub const fn name(self) -> Words {
+        match self {
+            Self::OfFigure => words("体つきに合わせる", "as the figure has it"),
+            Self::Bun => words("お団子", "a bun"),
+            Self::Long => words("長く下ろす", "long and open"),
+            Self::Short => words("短髪", "short"),
+            Self::Bob => words("おかっぱ", "a bob"),
+        }
+    }
+
     /// Name in the document.
     #[must_use]
     pub const fn id(self) -> &'static str {
@@ -61,11 +83,54 @@ impl HairStyle {
     }
 }
 
+/// How the face is made up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Makeup {
+    /// A woman's light, a man's and a child's none that is seen.
+    #[default]
+    OfFigure,
+    /// None.
+    Bare,
+    /// A little color on lips and cheeks.
+    Light,
+    /// For the stage: red lips, dark lashes, color over the eyes.
+    Stage,
+}
+
+impl Makeup {
+    /// All of them, the usual one first.
+    pub const ALL: [Self; 4] = [Self::OfFigure, Self::Bare, Self::Light, Self::Stage];
+
+    /// Name in the document.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::OfFigure => "of-figure",
+            Self::Bare => "bare",
+            Self::Light => "light",
+            Self::Stage => "stage",
+        }
+    }
+
+    /// What a person calls it.
+    #[must_use]
+    pub const fn name(self) -> Words {
+        match self {
+            Self::OfFigure => words("体つきに合わせる", "as the figure has it"),
+            Self::Bare => words("なし", "none"),
+            Self::Light => words("うすく", "light"),
+            Self::Stage => words("舞台", "for the stage"),
+        }
+    }
+}
+
 /// Hair and colors of a dancer; no measure depends on them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Appearance {
     /// How the hair is worn.
     pub hair: HairStyle,
+    /// How the face is made up.
+    pub makeup: Makeup,
     /// Color of bare skin, sRGB-encoded bytes.
     pub skin_srgb: [u8; 3],
     /// Color of the hair without its strands, sRGB-encoded bytes.
@@ -78,6 +143,7 @@ impl Default for Appearance {
     fn default() -> Self {
         Self {
             hair: HairStyle::OfFigure,
+            makeup: Makeup::OfFigure,
             skin_srgb: SKIN_SRGB,
             hair_srgb: HAIR_SRGB,
             leotard_srgb: LEOTARD_SRGB,

@@ -23,7 +23,7 @@ mod write;
 
 use std::sync::Arc;
 
-use lole_body::{Figure, HairStyle, Side};
+use lole_body::{Figure, HairStyle, Makeup, Side};
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::{ContactEvaluation, Integrator, RungeKutta};
 use lole_cloth::wind::WindLaw;
@@ -40,7 +40,7 @@ pub use lole_garment::GarmentLayer;
 pub use nearest::{likely, nearest};
 pub use parse::{Place, locate, parse, parse_bytes};
 pub use print::{LinkedPicture, PhotoMarks, PrintError};
-pub use stage::{CameraWork, Gaze, StageDesign, StageSet};
+pub use stage::{CameraWork, Gaze, StageDesign, StageMood, StageSet};
 pub use write::to_toml;
 
 /// Version of the format that this program writes, and the newest it reads.
@@ -111,6 +111,8 @@ pub struct DancerDesign {
     pub upper_arm_length_cm: Option<f64>,
     /// How the hair is worn.
     pub hair: HairStyle,
+    /// How the face is made up.
+    pub makeup: Makeup,
     /// Color of bare skin instead of the usual one, sRGB bytes.
     pub skin_color: Option<[u8; 3]>,
     /// Color of the hair instead of the usual one, sRGB bytes.

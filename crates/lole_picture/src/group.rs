@@ -1,7 +1,7 @@
 //! Several dancers on one stage: everybody dances as she would alone, and they meet in the picture.
 
 use glam::Vec3;
-use lole_costume::document::{Design, StageSet};
+use lole_costume::document::Design;
 use lole_export::group::{GroupDancer, GroupReport};
 use lole_render::{Camera, Image, RenderError, Renderer, Size};
 use lole_stage::{Divergence, Formation, Performance, Production, StageError};
@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use crate::film::{self, FilmCamera, Placed};
 use crate::studio::{PhotoStudio, cameras_around};
-use crate::{Lamps, LookError, Looks, Moment};
+use crate::{Lamps, LookError, Looks, Moment, Scenery};
 
 /// How far apart the clocks are that dancers blink by [s]: nobody blinks with her neighbor.
 const BLINKS_APART: f32 = 11.3;
@@ -203,7 +203,7 @@ impl Ensemble {
             .collect();
         let set = dancers
             .first()
-            .map_or_else(StageSet::default, |(looks, _)| looks.set);
+            .map_or_else(Scenery::default, |(looks, _)| looks.scenery);
         renderer.render(&Looks::stage(&dancers, (set, lamps), camera))
     }
 

@@ -19,15 +19,15 @@ use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
-use lole_costume::document::{Design, PrintError, StageSet};
+use lole_costume::document::{Design, PrintError};
 use lole_garment::adorn::AdornmentFinish;
 use lole_print::PrintImage;
 use lole_render::srgb::linear_from_srgb;
 use lole_render::{Camera, Material, RenderError, Scene, SceneMesh, Sides, Texture};
 use lole_stage::{Production, WornSurface};
 pub use moment::{DrawnDancer, Moment, drawn_body};
-pub use sets::Lamps;
 use sets::StageLook;
+pub use sets::{Lamps, Scenery};
 
 /// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
 const PRINT_SIDE: u32 = 1024;
@@ -45,7 +45,7 @@ pub struct Looks {
     /// Single strands of her hair; `None` where there are none.
     pub strands: Option<Strands>,
     /// What is around her.
-    pub set: StageSet,
+    pub scenery: Scenery,
 }
 
 /// How single strands of hair look.
@@ -126,7 +126,7 @@ impl Looks {
             skin_uvs: skin.uvs.clone(),
             skin_colors: skin.colors.clone(),
             strands,
-            set: design.stage.set,
+            scenery: Scenery::of(&design.stage),
         })
     }
 
@@ -139,17 +139,17 @@ impl Looks {
         camera: Camera,
         lamps: Lamps,
     ) -> Scene<'a> {
-        Self::stage(&[(self, *dancer)], (self.set, lamps), camera)
+        Self::stage(&[(self, *dancer)], (self.scenery, lamps), camera)
     }
 
     /// The scene of one moment of several dancers in a set, each as [`Looks::scene`] has her.
     #[must_use]
     pub fn stage<'a>(
         dancers: &[(&'a Self, DrawnDancer<'a>)],
-        (set, lamps): (StageSet, Lamps),
+        (scenery, lamps): (Scenery, Lamps),
         camera: Camera,
     ) -> Scene<'a> {
-        let (lights, background, ground) = StageLook::of(set).around(&camera, lamps);
+        let (lights, background, ground) = StageLook::of(scenery).around(&camera, lamps);
         let meshes = dancers
             .iter()
             .flat_map(|(looks, dancer)| looks.meshes(dancer));

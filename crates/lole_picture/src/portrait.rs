@@ -1,7 +1,7 @@
 //! Pictures of dancers who stand in their costume, for paper: at rest, all of a group at one scale.
 
 use glam::Vec3;
-use lole_costume::document::{Design, StageSet};
+use lole_costume::document::Design;
 use lole_export::ImageView;
 use lole_export::pdf::EncodedPicture;
 use lole_export::still::encode_jpeg;
@@ -12,7 +12,7 @@ use lole_stage::{Performance, Production};
 use lole_export::booklet::Worn;
 
 use crate::studio::{STILLS, still_cameras};
-use crate::{Lamps, Looks, Moment};
+use crate::{Lamps, Looks, Moment, Scenery};
 
 /// Size of one picture of a group [pixel]: as wide as her arms and skirt need, as tall as the tallest.
 pub const STANDING: Size = Size {
@@ -148,7 +148,7 @@ pub fn shoot(
     let production = performance.production();
     let looks = Looks {
         // On paper nothing is behind her.
-        set: StageSet::Studio,
+        scenery: Scenery::default(),
         ..Looks::new(&production.design, production)?
     };
     let moment = Moment::photographed(performance);

@@ -9,7 +9,7 @@ mod plants;
 mod theater;
 
 use glam::Vec3;
-use lole_costume::document::StageSet;
+use lole_costume::document::{StageDesign, StageMood, StageSet};
 use lole_geom::trig;
 use lole_render::{Background, Camera, Gradient, Ground, KeyLight, Landscape, LightRig, SoftBox};
 
@@ -23,6 +23,26 @@ pub enum Lamps {
     Still,
 }
 
+/// What is around her.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Scenery {
+    /// Floor, background and light.
+    pub set: StageSet,
+    /// What the lamps of a theater say.
+    pub mood: StageMood,
+}
+
+impl Scenery {
+    /// That of a design.
+    #[must_use]
+    pub const fn of(stage: &StageDesign) -> Self {
+        Self {
+            set: stage.set,
+            mood: stage.mood,
+        }
+    }
+}
+
 /// One set, as a camera in front sees it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct StageLook {
@@ -32,15 +52,18 @@ pub(crate) struct StageLook {
 }
 
 impl StageLook {
-    pub(crate) fn of(set: StageSet) -> Self {
-        match set {
+    pub(crate) fn of(scenery: Scenery) -> Self {
+        match scenery.set {
             StageSet::Studio => Self {
                 lights: LightRig::default(),
                 background: Background::default(),
                 ground: Ground::default(),
             },
             StageSet::Plain => plain(),
-            StageSet::Theater => Self::painted(theater::lights(), theater::landscape()),
+            StageSet::Theater => {
+                let mood = scenery.mood;
+                Self::painted(theater::lights(mood), theater::landscape(mood))
+            }
             StageSet::Beach => Self::painted(beach::lights(), beach::landscape()),
             StageSet::Lawn => Self::painted(lawn::lights(), lawn::landscape()),
         }

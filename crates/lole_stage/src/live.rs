@@ -8,9 +8,11 @@
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
-use lole_body::{Bone, Pose};
+use lole_body::{Bone, HairStyle, Makeup, Pose};
 use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
-use lole_costume::document::{Design, FabricDesign, GarmentDesign, PartDesign, PrintChoice};
+use lole_costume::document::{
+    DancerDesign, Design, FabricDesign, GarmentDesign, PartDesign, PrintChoice,
+};
 use lole_geom::Capsule;
 use lole_geom::narrow;
 
@@ -180,7 +182,8 @@ impl Show {
         let dance = (self.design.motion != design.motion)
             .then(|| self.next_layer(design))
             .transpose()?;
-        let adorned = (adornments(&self.design) != adornments(design))
+        let looks_anew = self.design.appearance() != design.appearance();
+        let adorned = (looks_anew || adornments(&self.design) != adornments(design))
             .then(|| self.performance.adorned_as(design))
             .transpose()?;
         let cloth_changes = self.design.worn_fabrics() != design.worn_fabrics()
@@ -619,7 +622,16 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
         for garment in garments.iter_mut().filter(|it| it.is_dressed()) {
             garment.print = PrintChoice::default();
         }
-        (design.dancer.clone(), design.skirt.clone(), garments)
+        // Hair and colors are not in the way of cloth.
+        let dancer = DancerDesign {
+            hair: HairStyle::default(),
+            makeup: Makeup::default(),
+            skin_color: None,
+            hair_color: None,
+            leotard_color: None,
+            ..design.dancer.clone()
+        };
+        (dancer, design.skirt.clone(), garments)
     };
     cut(old) != cut(new)
 }

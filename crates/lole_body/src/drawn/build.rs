@@ -50,7 +50,7 @@ pub(crate) fn build_drawn(
     }
     let mut head = parts::head(&made_of.head)?;
     place_head(&mut head, shape);
-    let colors = paint::head(&head, figure);
+    let colors = paint::head(&head, figure, appearance.makeup);
     let crown = Vec3::new(0.0, shape.body.height, shape.body.head.center.z);
     let first = skin.sew(&mut half, &mut head.part, (colors.clone(), &[]), crown);
     let renamed = half.compact();

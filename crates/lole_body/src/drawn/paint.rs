@@ -3,15 +3,20 @@
 use glam::Vec3;
 use lole_geom::trig;
 
-use crate::Figure;
 use crate::parts::{HeadPart, Part};
 use crate::surface::warp::smooth_step;
+use crate::{Figure, Makeup};
 
 /// The skin that colors were chosen on; all of them linear.
 const SKIN: Vec3 = Vec3::new(0.74, 0.50, 0.385);
 const CHEEK: Vec3 = Vec3::new(0.78, 0.36, 0.28);
 const EAR: Vec3 = Vec3::new(0.76, 0.41, 0.32);
 const LIPS: Vec3 = Vec3::new(0.54, 0.22, 0.21);
+/// Lips and lids made up for a stage.
+const ROUGE: Vec3 = Vec3::new(0.46, 0.055, 0.07);
+const LID_SHADOW: Vec3 = Vec3::new(0.30, 0.14, 0.13);
+/// How far above the lid the color over the eyes reaches [eye radii].
+const SHADOW_REACH: f32 = 1.45;
 const LASHES: Vec3 = Vec3::new(0.055, 0.034, 0.028);
 const LOWER_LID: Vec3 = Vec3::new(0.52, 0.27, 0.22);
 const NOSTRIL: Vec3 = Vec3::new(0.12, 0.05, 0.04);
@@ -20,36 +25,76 @@ const NAIL_LIFT: f32 = 0.15e-3;
 /// Points of a ring around the lids on the upper lid, with both corners.
 const UPPER: usize = 18;
 
-/// How a figure is made up.
-struct MakeUp {
+/// How strong the colors of a face are.
+struct Tones {
     cheeks: f32,
     lips: f32,
     /// Factor on the lips' own color.
     lip_tone: f32,
+    /// What colors the lips.
+    rouge: Vec3,
     /// How strong the line along the upper lashes is.
     lash_line: f32,
+    /// How strong the color over the eyes is.
+    shadow: f32,
 }
 
-impl MakeUp {
-    const fn of(figure: Figure) -> Self {
+impl Tones {
+    const fn of(makeup: Makeup, figure: Figure) -> Self {
+        match makeup {
+            Makeup::OfFigure => Self::of_figure(figure),
+            Makeup::Bare => Self {
+                cheeks: 0.10,
+                lips: 0.34,
+                lip_tone: 0.95,
+                rouge: LIPS,
+                lash_line: 0.6,
+                shadow: 0.0,
+            },
+            Makeup::Light => Self {
+                cheeks: 0.34,
+                lips: 0.78,
+                lip_tone: 1.0,
+                rouge: LIPS,
+                lash_line: 1.0,
+                shadow: 0.0,
+            },
+            Makeup::Stage => Self {
+                cheeks: 0.62,
+                lips: 0.95,
+                lip_tone: 1.0,
+                rouge: ROUGE,
+                lash_line: 1.0,
+                shadow: 0.62,
+            },
+        }
+    }
+
+    const fn of_figure(figure: Figure) -> Self {
         match figure {
             Figure::OfStature | Figure::Woman => Self {
                 cheeks: 0.34,
                 lips: 0.78,
                 lip_tone: 1.0,
+                rouge: LIPS,
                 lash_line: 1.0,
+                shadow: 0.0,
             },
             Figure::Man => Self {
                 cheeks: 0.12,
                 lips: 0.28,
                 lip_tone: 0.86,
+                rouge: LIPS,
                 lash_line: 0.7,
+                shadow: 0.0,
             },
             Figure::Child => Self {
                 cheeks: 0.36,
                 lips: 0.40,
                 lip_tone: 1.0,
+                rouge: LIPS,
                 lash_line: 0.8,
+                shadow: 0.0,
             },
         }
     }
@@ -91,8 +136,8 @@ pub(super) fn nails(part: &mut Part, colors: &mut Vec<Vec3>) -> Vec<[u32; 3]> {
 }
 
 /// Of a head.
-pub(super) fn head(head: &HeadPart, figure: Figure) -> Vec<Vec3> {
-    let make_up = MakeUp::of(figure);
+pub(super) fn head(head: &HeadPart, figure: Figure, makeup: Makeup) -> Vec<Vec3> {
+    let make_up = Tones::of(makeup, figure);
     let part = &head.part;
     let mut colors: Vec<Vec3> = part.open.iter().map(|&open| shaded(open)).collect();
     let tint = |color: &mut Vec3, to: Vec3, share: f32| *color = color.lerp(to, share);
@@ -111,7 +156,8 @@ pub(super) fn head(head: &HeadPart, figure: Figure) -> Vec<Vec3> {
         tint(color, CHEEK, 0.7 * make_up.cheeks * near(tip, 0.02));
         tint(color, NOSTRIL, 0.45 * near(nostril, 0.005));
     }
-    let lips = LIPS * make_up.lip_tone;
+    shadow(head, make_up.shadow, &mut colors);
+    let lips = make_up.rouge * make_up.lip_tone;
     for (ring, points) in head.lips.iter().enumerate() {
         let share = match ring.checked_sub(head.lip_rim) {
             None => 0.0,
@@ -144,4 +190,31 @@ pub(super) fn head(head: &HeadPart, figure: Figure) -> Vec<Vec3> {
         }
     }
     factors(colors.into_iter())
+}
+
+/// Color over the eyes: full on the lid, gone at the brow.
+fn shadow(head: &HeadPart, strength: f32, colors: &mut [Vec3]) {
+    if strength <= 0.0 {
+        return;
+    }
+    let positions = &head.part.positions;
+    let Some(ring) = head.lids.get(head.lid_rim) else {
+        return;
+    };
+    let lid: Vec<Vec3> = (ring.iter().take(UPPER + 1))
+        .map(|&point| positions[point as usize])
+        .collect();
+    let reach = SHADOW_REACH * head.eye_radius;
+    for (color, place) in colors.iter_mut().zip(positions) {
+        let nearest = (lid.iter()).min_by(|a, b| {
+            a.distance_squared(*place)
+                .total_cmp(&b.distance_squared(*place))
+        });
+        let Some(nearest) = nearest else {
+            continue;
+        };
+        let above = smooth_step((place.y - nearest.y) / (0.25 * reach));
+        let share = strength * above * smooth_step(1.0 - place.distance(*nearest) / reach);
+        *color = color.lerp(LID_SHADOW, share);
+    }
 }

@@ -200,6 +200,7 @@ impl Design {
         let (dancer, usual) = (&self.dancer, Appearance::default());
         Appearance {
             hair: dancer.hair,
+            makeup: dancer.makeup,
             skin_srgb: dancer.skin_color.unwrap_or(usual.skin_srgb),
             hair_srgb: dancer.hair_color.unwrap_or(usual.hair_srgb),
             leotard_srgb: dancer.leotard_color.unwrap_or(usual.leotard_srgb),

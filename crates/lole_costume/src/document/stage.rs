@@ -5,6 +5,8 @@
 pub struct StageDesign {
     /// Floor, background and light.
     pub set: StageSet,
+    /// What the lamps of a theater say.
+    pub mood: StageMood,
     /// How the film's camera moves.
     pub camera: CameraWork,
     /// Where she looks.
@@ -83,6 +85,48 @@ impl CameraWork {
             Self::Still => words("正面から", "from the front"),
             Self::Turntable => words("ひとまわり", "once around"),
             Self::Cuts => words("フレーズごとに切り替える", "cut on phrases"),
+        }
+    }
+}
+
+/// What the lamps of a theater say of the song.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StageMood {
+    /// Rose and violet.
+    #[default]
+    Tender,
+    /// Gold and coral.
+    Joyful,
+    /// Blue and green.
+    Sea,
+    /// Dark, with little but the lamp on her.
+    Solemn,
+}
+
+impl StageMood {
+    /// All of them, the usual one first.
+    pub const ALL: [Self; 4] = [Self::Tender, Self::Joyful, Self::Sea, Self::Solemn];
+
+    /// Its name in documents.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Tender => "tender",
+            Self::Joyful => "joyful",
+            Self::Sea => "sea",
+            Self::Solemn => "solemn",
+        }
+    }
+
+    /// What a person calls it.
+    #[must_use]
+    pub const fn name(self) -> lole_language::Words {
+        use lole_language::words;
+        match self {
+            Self::Tender => words("やさしい(紫)", "tender: violet"),
+            Self::Joyful => words("はなやか(金)", "joyful: gold"),
+            Self::Sea => words("海(青)", "the sea: blue"),
+            Self::Solemn => words("おごそか(暗い)", "solemn: dark"),
         }
     }
 }

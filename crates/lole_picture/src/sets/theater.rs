@@ -6,6 +6,7 @@ use super::floors;
 use super::noise::{Fractal, ramp, smooth_between};
 use super::plants::{Greens, ferns};
 use glam::{Vec2, Vec3};
+use lole_costume::document::StageMood;
 use lole_geom::trig;
 use lole_render::backdrop::{Floor, Panorama, Shore};
 use lole_render::{KeyLight, Landscape, LightRig, SoftBox};
@@ -18,23 +19,101 @@ const CURTAINS: [f32; 2] = [0.37, 1.35];
 const BACK: f32 = 12.0;
 const FERNS: Greens = [[12, 11, 18], [16, 17, 21], [21, 25, 25], [29, 31, 35]];
 
+/// The colors of a mood, linear.
+struct Colors {
+    /// The cloth from its foot up: at sines of the elevation of -0.11, -0.05, 0.02, 0.10, 0.22 and 0.40.
+    cloth: [[f32; 3]; 6],
+    /// A pool of light on it.
+    pool: [f32; 3],
+    /// Lamps behind her, at her right and at her left.
+    lamps: [[f32; 3]; 2],
+    /// The lamp on her.
+    key: [f32; 3],
+    /// What haze shows of the lamps, and what the boards fade to.
+    haze: [f32; 3],
+}
+
+impl Colors {
+    const fn of(mood: StageMood) -> Self {
+        match mood {
+            StageMood::Tender => Self {
+                cloth: [
+                    [0.36, 0.10, 0.23],
+                    [0.24, 0.075, 0.24],
+                    [0.115, 0.052, 0.22],
+                    [0.046, 0.034, 0.145],
+                    [0.018, 0.018, 0.070],
+                    [0.008, 0.009, 0.030],
+                ],
+                pool: [0.045, 0.026, 0.075],
+                lamps: [[1.25, 0.70, 0.85], [0.45, 0.75, 1.35]],
+                key: [1.62, 1.46, 1.20],
+                haze: [0.12, 0.06, 0.22],
+            },
+            StageMood::Joyful => Self {
+                cloth: [
+                    [0.62, 0.27, 0.055],
+                    [0.46, 0.17, 0.055],
+                    [0.27, 0.085, 0.070],
+                    [0.12, 0.040, 0.075],
+                    [0.045, 0.018, 0.046],
+                    [0.016, 0.008, 0.020],
+                ],
+                pool: [0.10, 0.045, 0.020],
+                lamps: [[1.45, 0.85, 0.45], [1.20, 0.60, 0.75]],
+                key: [1.70, 1.50, 1.20],
+                haze: [0.20, 0.09, 0.06],
+            },
+            StageMood::Sea => Self {
+                cloth: [
+                    [0.050, 0.30, 0.32],
+                    [0.028, 0.19, 0.28],
+                    [0.020, 0.105, 0.22],
+                    [0.014, 0.052, 0.145],
+                    [0.009, 0.024, 0.075],
+                    [0.005, 0.010, 0.032],
+                ],
+                pool: [0.015, 0.050, 0.070],
+                lamps: [[0.45, 1.05, 1.10], [0.40, 0.70, 1.40]],
+                key: [1.52, 1.46, 1.30],
+                haze: [0.03, 0.11, 0.18],
+            },
+            StageMood::Solemn => Self {
+                cloth: [
+                    [0.050, 0.046, 0.075],
+                    [0.034, 0.032, 0.060],
+                    [0.020, 0.021, 0.045],
+                    [0.012, 0.013, 0.030],
+                    [0.007, 0.008, 0.018],
+                    [0.004, 0.004, 0.010],
+                ],
+                pool: [0.020, 0.020, 0.030],
+                lamps: [[0.60, 0.62, 0.75], [0.50, 0.58, 0.80]],
+                key: [1.70, 1.52, 1.22],
+                haze: [0.03, 0.03, 0.05],
+            },
+        }
+    }
+}
+
 /// A lamp from the front, colored ones from behind.
-pub(super) fn lights() -> LightRig {
+pub(super) fn lights(mood: StageMood) -> LightRig {
+    let colors = Colors::of(mood);
     LightRig {
         key: KeyLight {
             toward: Vec3::new(0.55, 1.15, 0.95),
-            color: [1.62, 1.46, 1.20],
+            color: colors.key,
             angular_radius: 0.05,
         },
         boxes: vec![
             SoftBox {
                 toward: Vec3::new(-0.9, 0.6, -0.8),
-                color: [1.25, 0.70, 0.85],
+                color: colors.lamps[0],
                 focus: 5.0,
             },
             SoftBox {
                 toward: Vec3::new(0.9, 0.5, -0.9),
-                color: [0.45, 0.75, 1.35],
+                color: colors.lamps[1],
                 focus: 5.0,
             },
             SoftBox {
@@ -51,14 +130,18 @@ pub(super) fn lights() -> LightRig {
 }
 
 /// Boards, cloth and curtains; painted once.
-pub(super) fn landscape() -> Option<&'static Landscape> {
-    static PAINTED: OnceLock<Option<Landscape>> = OnceLock::new();
-    PAINTED.get_or_init(paint).as_ref()
+pub(super) fn landscape(mood: StageMood) -> Option<&'static Landscape> {
+    static PAINTED: [OnceLock<Option<Landscape>>; StageMood::ALL.len()] =
+        [const { OnceLock::new() }; StageMood::ALL.len()];
+    let place = StageMood::ALL.iter().position(|it| *it == mood)?;
+    PAINTED[place]
+        .get_or_init(|| paint(&Colors::of(mood)))
+        .as_ref()
 }
 
-fn paint() -> Option<Landscape> {
+fn paint(colors: &Colors) -> Option<Landscape> {
     Some(Landscape {
-        far: panorama()?,
+        far: panorama(colors)?,
         near: Floor {
             paint: floors::boards([150, 108, 74], 18)?,
             repeat: 1.75,
@@ -79,14 +162,14 @@ fn paint() -> Option<Landscape> {
             foam_color: [0.0; 3],
         },
         pool: 2.7,
-        haze: [0.12, 0.06, 0.22],
+        haze: colors.haze,
         haze_distance: 60.0,
         glow: 0.22,
         turn: 0.0,
     })
 }
 
-fn panorama() -> Option<Panorama> {
+fn panorama(colors: &Colors) -> Option<Panorama> {
     let noise = Fractal {
         period: [32, 32],
         octaves: 4,
@@ -96,10 +179,11 @@ fn panorama() -> Option<Panorama> {
         if azimuth.abs() > CURTAINS[1] {
             return house(azimuth, sine);
         }
-        let cloth = cloth(&noise, azimuth, sine);
-        let folds = curtain(azimuth, sine);
+        let cloth = cloth(&noise, colors, [azimuth, sine]);
+        let folds = curtain(colors, azimuth, sine);
         let inner = smooth_between(CURTAINS[0] - 0.004, CURTAINS[0] + 0.004, azimuth.abs());
-        beams(&noise, cloth.lerp(folds, inner), azimuth, sine)
+        let behind = cloth.lerp(folds, inner);
+        beams(&noise, colors, behind, [azimuth, sine])
     })?;
     for (seed, azimuth) in (1_u64..).zip([-0.37, -0.31, -0.25, -0.19, 0.19, 0.25, 0.31, 0.37]) {
         let far: f32 = azimuth;
@@ -131,18 +215,11 @@ fn foot(azimuth: f32) -> f32 {
 }
 
 /// The cloth at the back: lamps at its foot and above wash it with color.
-fn cloth(noise: &Fractal, azimuth: f32, sine: f32) -> Vec3 {
-    let wash = ramp(
-        &[
-            (-0.11, Vec3::new(0.36, 0.10, 0.23)),
-            (-0.05, Vec3::new(0.24, 0.075, 0.24)),
-            (0.02, Vec3::new(0.115, 0.052, 0.22)),
-            (0.10, Vec3::new(0.046, 0.034, 0.145)),
-            (0.22, Vec3::new(0.018, 0.018, 0.070)),
-            (0.40, Vec3::new(0.008, 0.009, 0.030)),
-        ],
-        sine,
-    );
+fn cloth(noise: &Fractal, colors: &Colors, [azimuth, sine]: [f32; 2]) -> Vec3 {
+    let heights = [-0.11, -0.05, 0.02, 0.10, 0.22, 0.40];
+    let stops: [(f32, Vec3); 6] =
+        std::array::from_fn(|stop| (heights[stop], Vec3::from(colors.cloth[stop])));
+    let wash = ramp(&stops, sine);
     // Lamps on the floor stand side by side: their cones overlap.
     let lamps = 0.90 + 0.10 * trig::cos(azimuth * 41.0) * (1.0 - smooth_between(-0.10, 0.0, sine));
     let side = 1.0 - 0.5 * smooth_between(0.05, 0.42, azimuth.abs());
@@ -151,28 +228,29 @@ fn cloth(noise: &Fractal, azimuth: f32, sine: f32) -> Vec3 {
     let pool = 1.0 / (1.0 + off.length_squared() / (0.12 * 0.12));
     let leaves = noise.at((azimuth / TAU + 0.5) * 32.0 * 3.0, sine * 36.0);
     let mottled = 1.0 + 0.20 * (leaves - 0.5) * smooth_between(0.08, 0.3, sine);
-    wash * (lamps * side * mottled) + Vec3::new(0.045, 0.026, 0.075) * pool
+    wash * (lamps * side * mottled) + Vec3::from(colors.pool) * pool
 }
 
 /// Velvet in folds, with the color of the cloth on their edges.
-fn curtain(azimuth: f32, sine: f32) -> Vec3 {
+fn curtain(colors: &Colors, azimuth: f32, sine: f32) -> Vec3 {
     let wave = trig::sin(azimuth.abs() * 105.0 + 1.2 * trig::sin(azimuth.abs() * 41.0));
     let toward = 0.5 + 0.5 * wave;
     let near = 1.0 - smooth_between(CURTAINS[0], CURTAINS[0] + 0.35, azimuth.abs());
     let low = 1.0 - 0.7 * smooth_between(0.0, 0.5, sine);
     Vec3::new(0.010, 0.007, 0.016)
-        + Vec3::new(0.075, 0.022, 0.070) * (toward * toward * (0.25 + 0.75 * near) * low)
+        + Vec3::from(colors.cloth[0]) * 0.22 * (toward * toward * (0.25 + 0.75 * near) * low)
 }
 
 /// Light that haze shows on its way from lamps above to the boards.
-fn beams(noise: &Fractal, behind: Vec3, azimuth: f32, sine: f32) -> Vec3 {
+fn beams(noise: &Fractal, colors: &Colors, behind: Vec3, [azimuth, sine]: [f32; 2]) -> Vec3 {
+    let [right, left] = colors.lamps.map(|lamp| Vec3::from(lamp) * 0.085);
     let mut light = Vec3::ZERO;
     // Where a lamp hangs, where its beam goes, how wide it is there, its color.
     for (from, to, wide, color) in [
-        (-0.38, -0.05, 0.075, Vec3::new(0.085, 0.045, 0.10)),
-        (0.36, 0.06, 0.075, Vec3::new(0.04, 0.06, 0.13)),
-        (-0.16, -0.24, 0.05, Vec3::new(0.06, 0.03, 0.09)),
-        (0.18, 0.27, 0.05, Vec3::new(0.035, 0.05, 0.10)),
+        (-0.38, -0.05, 0.075, right),
+        (0.36, 0.06, 0.075, left),
+        (-0.16, -0.24, 0.05, right * 0.7),
+        (0.18, 0.27, 0.05, left * 0.8),
     ] {
         let down = ((0.34 - sine) / 0.42).clamp(0.0, 1.2);
         let middle = from + (to - from) * down;

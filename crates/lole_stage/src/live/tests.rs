@@ -334,3 +334,24 @@ fn energy_of_motion_falls_while_the_skirt_settles() {
     assert!(energies.last().is_some_and(|last| *last < 0.05 * highest));
     assert!(0.0 < show.vitals().potential_energy);
 }
+
+/// Hair, makeup and colors are another picture of the same body: nothing is sewn, no cloth moves, and a flower that
+/// was in the hair is in it still.
+#[test]
+fn other_hair_and_makeup_need_no_needle() {
+    let mut show = dancing();
+    let before = show.cloth_positions().to_vec();
+    let skin = show.production().dancer.skin.body_triangles();
+    let mut wished = show.design().clone();
+    wished.dancer.hair = HairStyle::Long;
+    wished.dancer.makeup = Makeup::Stage;
+    wished.dancer.leotard_color = Some([120, 20, 30]);
+    assert_eq!(show.wish(&wished).unwrap(), Wish::Granted);
+    assert_eq!(show.cloth_positions(), before);
+    let production = show.production();
+    assert_eq!(production.dancer.skin.body_triangles(), skin);
+    assert_eq!(production.dancer.appearance, wished.appearance());
+    let as_sewn = Production::new(&wished).unwrap();
+    assert_eq!(production.dancer, as_sewn.dancer);
+    show.advance().unwrap();
+}

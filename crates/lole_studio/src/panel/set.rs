@@ -1,7 +1,8 @@
 //! How she is seen: floor, background and light of window, stills and film, and how the film is shot.
 
 use eframe::egui::Ui;
-use lole_costume::document::{CameraWork, Gaze, StageSet};
+use lole_body::{HairStyle, Makeup};
+use lole_costume::document::{CameraWork, Gaze, StageMood, StageSet};
 
 use super::knob::DropDown;
 use crate::{Studio, text};
@@ -16,6 +17,18 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     };
     if let Some(set) = list.show(ui, studio.design().stage.set, &sets) {
         studio.change(|design| design.stage.set = set);
+    }
+    if studio.design().stage.set == StageSet::Theater {
+        let moods: Vec<_> = (StageMood::ALL.iter())
+            .map(|mood| (*mood, studio.say(mood.name()).to_owned()))
+            .collect();
+        let list = DropDown {
+            salt: "mood",
+            name: studio.say(text::MOOD),
+        };
+        if let Some(mood) = list.show(ui, studio.design().stage.mood, &moods) {
+            studio.change(|design| design.stage.mood = mood);
+        }
     }
     let cameras: Vec<_> = (CameraWork::ALL.iter())
         .map(|work| (*work, studio.say(work.name()).to_owned()))
@@ -36,5 +49,30 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     };
     if let Some(gaze) = list.show(ui, studio.design().stage.gaze, &gazes) {
         studio.change(|design| design.stage.gaze = gaze);
+    }
+    head(ui, studio);
+}
+
+/// Hair and makeup, where the dancer is not someone's avatar.
+fn head(ui: &mut Ui, studio: &mut Studio) {
+    let styles: Vec<_> = (HairStyle::ALL.iter())
+        .map(|style| (*style, studio.say(style.name()).to_owned()))
+        .collect();
+    let list = DropDown {
+        salt: "hair",
+        name: studio.say(text::HAIR),
+    };
+    if let Some(style) = list.show(ui, studio.design().dancer.hair, &styles) {
+        studio.change(|design| design.dancer.hair = style);
+    }
+    let makeups: Vec<_> = (Makeup::ALL.iter())
+        .map(|makeup| (*makeup, studio.say(makeup.name()).to_owned()))
+        .collect();
+    let list = DropDown {
+        salt: "makeup",
+        name: studio.say(text::MAKEUP),
+    };
+    if let Some(makeup) = list.show(ui, studio.design().dancer.makeup, &makeups) {
+        studio.change(|design| design.dancer.makeup = makeup);
     }
 }

@@ -5,12 +5,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use lole_body::{Bone, Measure, Taped};
-use lole_costume::document::{self, Design, StageSet};
+use lole_costume::document::{self, Design, StageMood, StageSet};
 use lole_export::pdf::Paper;
 use lole_files::{self as files, shelf};
 use lole_geom::{Capsule, Length};
 use lole_language::{Language, Sentence};
-use lole_picture::{BodyPart, Cover, Looks, Moment};
+use lole_picture::{BodyPart, Cover, Looks, Moment, Scenery};
 use lole_render::{BackShade, Camera, Material, Sides, Texture};
 use lole_stage::{Divergence, Pull, Vitals};
 
@@ -230,8 +230,10 @@ fn put_looks(packer: &mut Packer, looks: &Looks) {
     });
     packer.list(&looks.skin_uvs);
     packer.list(&looks.skin_colors);
-    let set = StageSet::ALL.iter().position(|set| *set == looks.set);
+    let set = (StageSet::ALL.iter()).position(|set| *set == looks.scenery.set);
     packer.put(set.unwrap_or(0) as u64);
+    let mood = (StageMood::ALL.iter()).position(|mood| *mood == looks.scenery.mood);
+    packer.put(mood.unwrap_or(0) as u64);
 }
 
 fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
@@ -258,7 +260,10 @@ fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
         skin_uvs: unpacker.list()?,
         skin_colors: unpacker.list()?,
         strands: None,
-        set: *StageSet::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
+        scenery: Scenery {
+            set: *StageSet::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
+            mood: *StageMood::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
+        },
     })
 }
 

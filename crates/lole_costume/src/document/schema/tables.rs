@@ -3,7 +3,7 @@
 //! Reading, checking, writing and the messages all walk this table, so a key that is added here is
 //! read, refused, written and explained.
 
-use lole_body::{Figure, HairStyle};
+use lole_body::{Figure, HairStyle, Makeup};
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::ContactEvaluation;
 use lole_cloth::wind::WindLaw;
@@ -13,7 +13,7 @@ use super::cost::COST;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
 use crate::document::{
-    BodyShapes, CameraWork, Gaze, LinkedFile, MethodName, StageSet, Uncrossed, WindModel,
+    BodyShapes, CameraWork, Gaze, LinkedFile, MethodName, StageMood, StageSet, Uncrossed, WindModel,
 };
 use crate::fabrics::{PRESETS, Preset};
 
@@ -33,6 +33,12 @@ const HAIR_STYLES: &[(&str, HairStyle)] = &[
     (HairStyle::Short.id(), HairStyle::Short),
     (HairStyle::Bob.id(), HairStyle::Bob),
 ];
+const MAKEUPS: &[(&str, Makeup)] = &[
+    (Makeup::OfFigure.id(), Makeup::OfFigure),
+    (Makeup::Bare.id(), Makeup::Bare),
+    (Makeup::Light.id(), Makeup::Light),
+    (Makeup::Stage.id(), Makeup::Stage),
+];
 const WIND_LAWS: &[(&str, WindLaw)] = &[
     ("spherical", WindLaw::Spherical),
     ("literal-scalar", WindLaw::LiteralScalar),
@@ -48,6 +54,12 @@ const SETS: &[(&str, StageSet)] = &[
     (StageSet::Theater.id(), StageSet::Theater),
     (StageSet::Beach.id(), StageSet::Beach),
     (StageSet::Lawn.id(), StageSet::Lawn),
+];
+const MOODS: &[(&str, StageMood)] = &[
+    (StageMood::Tender.id(), StageMood::Tender),
+    (StageMood::Joyful.id(), StageMood::Joyful),
+    (StageMood::Sea.id(), StageMood::Sea),
+    (StageMood::Solemn.id(), StageMood::Solemn),
 ];
 const GAZES: &[(&str, Gaze)] = &[
     (Gaze::Hands.id(), Gaze::Hands),
@@ -223,6 +235,14 @@ const DANCER: Table = Table {
             "髪型。of-figure は女性がお団子、男性が短髪、子どもがおかっぱ",
             "how the hair is worn; of-figure: a woman's bun, a man's short cut, a child's bob"
         ),
+        choice!(
+            "makeup",
+            words("化粧", "makeup"),
+            MAKEUPS,
+            dancer.makeup,
+            "化粧。of-figure は女性がうすく、bare はなし、light はうすく、stage は舞台用",
+            "how the face is made up; of-figure: a woman's light; bare: none; stage: red lips and dark lids"
+        ),
         color!(
             "skin_color",
             dancer.skin_color,
@@ -346,6 +366,14 @@ const STAGE: Table = Table {
             stage.set,
             "studio は写真スタジオ、plain は白、theater は劇場、beach は夕暮れの浜、lawn は芝生と山",
             "a photographer's studio, plain white, a theater, a beach at dusk, or a lawn before mountains"
+        ),
+        choice!(
+            "mood",
+            words("照明の気分", "mood of the lamps"),
+            MOODS,
+            stage.mood,
+            "theater の照明: tender は紫、joyful は金、sea は青、solemn は暗く",
+            "lamps of the theater: violet, gold, blue, or dark but for the lamp on her"
         ),
         choice!(
             "camera",
