@@ -1,6 +1,7 @@
 //! Where the film's camera stands: as near as the whole dance allows.
 
 mod shots;
+pub mod title;
 
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer};

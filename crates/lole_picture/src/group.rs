@@ -7,7 +7,7 @@ use lole_render::{Camera, Image, RenderError, Renderer, Size};
 use lole_stage::{Divergence, Formation, Performance, Production, StageError};
 use rayon::prelude::*;
 
-use crate::film::{self, FilmCamera, Placed};
+use crate::film::{self, FilmCamera, Placed, title};
 use crate::studio::{PhotoStudio, cameras_around};
 use crate::{Lamps, LookError, Looks, Moment, Scenery};
 
@@ -204,7 +204,13 @@ impl Ensemble {
         let set = dancers
             .first()
             .map_or_else(Scenery::default, |(looks, _)| looks.scenery);
-        renderer.render(&Looks::stage(&dancers, (set, lamps), camera))
+        let mut image = renderer.render(&Looks::stage(&dancers, (set, lamps), camera))?;
+        let first = self.members.first().map(|it| &it.performance);
+        if let Some(first) = first.filter(|_| lamps == Lamps::Still) {
+            let stage = &first.production().design.stage;
+            title::write(&mut image, &stage.title, first.time())?;
+        }
+        Ok(image)
     }
 
     /// Who stands where, and how her costume danced.

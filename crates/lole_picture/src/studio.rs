@@ -4,6 +4,7 @@ use glam::Vec3;
 use lole_render::{Camera, Image, RenderError, Renderer, Size, View};
 use lole_stage::Performance;
 
+use crate::film::title;
 use crate::{Cover, Lamps, LookError, Looks, Moment};
 
 /// Everything that pictures of one production share.
@@ -90,7 +91,12 @@ impl PhotoStudio {
             Lamps::WithCamera => Moment::photographed(performance),
         };
         let scene = self.looks.scene(&moment.dancer(), camera, lamps);
-        renderer.render(&scene)
+        let mut image = renderer.render(&scene)?;
+        if lamps == Lamps::Still {
+            let stage = &performance.production().design.stage;
+            title::write(&mut image, &stage.title, performance.time())?;
+        }
+        Ok(image)
     }
 }
 

@@ -1,10 +1,12 @@
-//! Words on pictures, in a font that comes with the program: Latin, Greek and the marks of
-//! Hawaiian.
+//! Words on pictures, in a font that comes with the program (Latin, Greek and the marks of Hawaiian) or in the
+//! caller's.
 
 use ab_glyph::{Font as _, FontRef, Glyph, PxScale, ScaleFont as _, point};
 
 use crate::{Image, RenderError, whole};
 
+/// The font that comes with the program.
+pub const LATIN: &[u8] = epaint_default_fonts::UBUNTU_LIGHT;
 /// Distance from line to line over the height of the font.
 const LEADING: f32 = 1.18;
 
@@ -13,10 +15,14 @@ const LEADING: f32 = 1.18;
 pub struct Label<'a> {
     /// What it says.
     pub text: &'a str,
+    /// A font file: TrueType or OpenType.
+    pub font: &'a [u8],
     /// Height of the letters' box [pixel].
     pub size: f32,
     /// sRGB.
     pub color: [u8; 3],
+    /// How much of the picture the letters hide, 0 to 1.
+    pub opacity: f32,
     /// Longest line [pixel]; a longer word stands alone.
     pub width: f32,
 }
@@ -26,18 +32,11 @@ impl Label<'_> {
     /// [pixel]. What falls outside the picture is left out.
     ///
     /// # Errors
-    /// [`RenderError::Font`] where the program's font is damaged.
+    /// [`RenderError::Font`] where the font is damaged.
     pub fn write(&self, image: &mut Image, [x, y]: [f32; 2]) -> Result<f32, RenderError> {
-        let font = FontRef::try_from_slice(epaint_default_fonts::UBUNTU_LIGHT)
-            .map_err(|_| RenderError::Font)?;
+        let font = self.face()?;
         let scaled = font.as_scaled(PxScale::from(self.size));
-        let advance = |text: &str| -> f32 {
-            text.chars()
-                .map(drawn)
-                .map(|letter| scaled.h_advance(scaled.glyph_id(letter)))
-                .sum()
-        };
-        let lines = self.lines(advance);
+        let lines = self.lines(|text| advance(&font, text, self.size));
         let step = self.size * LEADING;
         let mut baseline = y + scaled.ascent();
         for line in &lines {
@@ -52,6 +51,18 @@ impl Label<'_> {
             baseline += step;
         }
         Ok(step * lines.len() as f32)
+    }
+
+    /// Width of the text on one line [pixel].
+    ///
+    /// # Errors
+    /// [`RenderError::Font`] where the font is damaged.
+    pub fn advance(&self) -> Result<f32, RenderError> {
+        Ok(advance(&self.face()?, self.text, self.size))
+    }
+
+    fn face(&self) -> Result<FontRef<'_>, RenderError> {
+        FontRef::try_from_slice(self.font).map_err(|_| RenderError::Font)
     }
 
     /// The text in lines no wider than asked, by the width `advance` [pixel] of a piece of text.
@@ -81,11 +92,20 @@ impl Label<'_> {
             let pixel = (whole::index(y) * image.width as usize + whole::index(x)) * 4;
             for (channel, ink) in image.pixels[pixel..pixel + 3].iter_mut().zip(self.color) {
                 let (paper, ink) = (f32::from(*channel), f32::from(ink));
-                let mixed = paper + (ink - paper) * cover.clamp(0.0, 1.0);
+                let mixed = paper + (ink - paper) * cover.clamp(0.0, 1.0) * self.opacity;
                 *channel = u8::try_from(whole::index(mixed + 0.5)).unwrap_or(u8::MAX);
             }
         });
     }
+}
+
+/// Width of a line of text [pixel].
+fn advance(font: &FontRef<'_>, text: &str, size: f32) -> f32 {
+    let scaled = font.as_scaled(PxScale::from(size));
+    let letters = text.chars().map(drawn);
+    letters
+        .map(|letter| scaled.h_advance(scaled.glyph_id(letter)))
+        .sum()
 }
 
 /// The letter whose shape stands for `letter`: the font lacks the ʻokina, whose shape is that of a
@@ -107,8 +127,10 @@ mod tests {
         let mut image = Image::filled(Size::new(200, 120), [255; 3]);
         let label = Label {
             text: "pāʻū ω Δt kāholo skirt dances",
+            font: LATIN,
             size: 20.0,
             color: [0; 3],
+            opacity: 1.0,
             width: 120.0,
         };
         let height = label.write(&mut image, [10.0, 5.0]).unwrap();
@@ -123,7 +145,7 @@ mod tests {
 
     #[test]
     fn every_letter_of_hawaiian_and_of_the_equations_is_in_the_font() {
-        let font = FontRef::try_from_slice(epaint_default_fonts::UBUNTU_LIGHT).unwrap();
+        let font = FontRef::try_from_slice(LATIN).unwrap();
         for letter in "āēīōūĀĒĪŌŪʻωΔ²₃×–".chars() {
             assert_ne!(font.glyph_id(drawn(letter)).0, 0, "{letter}");
         }
@@ -134,8 +156,10 @@ mod tests {
         let mut image = Image::filled(Size::new(8, 8), [255; 3]);
         let label = Label {
             text: "outside",
+            font: LATIN,
             size: 40.0,
             color: [0; 3],
+            opacity: 1.0,
             width: 10.0,
         };
         for place in [[-20.0, -20.0], [4.0, 4.0], [100.0, 100.0]] {

@@ -1,7 +1,7 @@
 //! Where the dance is seen.
 
 /// What is around the dancer in pictures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct StageDesign {
     /// Floor, background and light.
     pub set: StageSet,
@@ -11,6 +11,8 @@ pub struct StageDesign {
     pub camera: CameraWork,
     /// Where she looks.
     pub gaze: Gaze,
+    /// What is written over the beginning of a film; nothing where it is empty.
+    pub title: String,
 }
 
 /// Where the dancer looks.

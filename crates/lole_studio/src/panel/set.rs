@@ -1,11 +1,14 @@
 //! How she is seen: floor, background and light of window, stills and film, and how the film is shot.
 
-use eframe::egui::Ui;
+use eframe::egui::{TextEdit, Ui};
 use lole_body::{HairStyle, Makeup};
 use lole_costume::document::{CameraWork, Gaze, StageMood, StageSet};
 
 use super::knob::DropDown;
 use crate::{Studio, text};
+
+/// Letters of a title that a film shows.
+const MOST_LETTERS: usize = 60;
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let sets: Vec<_> = (StageSet::ALL.iter())
@@ -50,7 +53,21 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     if let Some(gaze) = list.show(ui, studio.design().stage.gaze, &gazes) {
         studio.change(|design| design.stage.gaze = gaze);
     }
+    title(ui, studio);
     head(ui, studio);
+}
+
+/// What is written over the beginning of a film.
+fn title(ui: &mut Ui, studio: &mut Studio) {
+    let label = ui.label(studio.say(text::TITLE));
+    let mut title = studio.design().stage.title.clone();
+    let field = TextEdit::singleline(&mut title)
+        .desired_width(f32::INFINITY)
+        .char_limit(MOST_LETTERS)
+        .hint_text(studio.say(text::TITLE_HINT));
+    if ui.add(field).labelled_by(label.id).changed() {
+        studio.change(|design| design.stage.title = title);
+    }
 }
 
 /// Hair and makeup, where the dancer is not someone's avatar.

@@ -4,7 +4,7 @@ use lole_costume::document::MethodName;
 use lole_export::study::RunEntry;
 use lole_picture::Lamps;
 use lole_picture::studio::PhotoStudio;
-use lole_render::label::Label;
+use lole_render::label::{self, Label};
 use lole_render::{Backend, Camera, Image, RenderError, Renderer, Size, View};
 use lole_stage::Performance;
 
@@ -73,8 +73,10 @@ fn caption(panel: &ComparedPanel, picture: &mut Image, left: u32) -> Result<(), 
     let mut write = |text: &str, size: f32, color: [u8; 3]| -> Result<(), RenderError> {
         let label = Label {
             text,
+            font: label::LATIN,
             size,
             color,
+            opacity: 1.0,
             width,
         };
         y += label.write(picture, [x, y])? + 6.0;

@@ -391,6 +391,18 @@ const STAGE: Table = Table {
             "視線: hands は語る手を目で追う、ahead はまっすぐ前を見る",
             "where she looks: at the hand that tells the story, or straight ahead"
         ),
+        Key {
+            name: "title",
+            about: words(
+                "動画のはじめに出す題名",
+                "what is written over the beginning of a film",
+            ),
+            kind: Kind::Text {
+                what: words("題名", "title"),
+                get: |design| Some(design.stage.title.as_str()).filter(|title| !title.is_empty()),
+                set: |design, title| title.clone_into(&mut design.stage.title),
+            },
+        },
     ],
 };
 
