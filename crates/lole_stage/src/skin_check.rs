@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 use lole_geom::triangle_grid::{TriangleGrid, blend};
+use rayon::prelude::*;
 
 /// Cloth nearer than this behind the drawn skin [m] is touching it, not through it: half a
 /// millimeter is a fold of thread, and no picture shows it.
@@ -54,14 +55,19 @@ pub fn check(body: CheckedSurface<'_>, cloth: CheckedSurface<'_>) -> SkinCheck {
     let (low, high) = bounds(cloth.positions);
     let near = near_triangles(body, low - Vec3::splat(REACH), high + Vec3::splat(REACH));
     let body_grid = TriangleGrid::new(body.positions, &near, CELL);
-    let mut result = SkinCheck::default();
-    for &position in cloth.positions {
-        let depth = depth_below_skin(&body_grid, body, &near, position);
-        result.worst_depth = result.worst_depth.max(depth);
-        if TOLERANCE < depth {
-            result.sunken_cloth_vertices += 1;
-        }
-    }
+    let neighborhood = Neighborhood::of(body, &near);
+    let looked = (cloth.positions.par_iter())
+        .filter(|&&position| neighborhood.holds(position))
+        .map(|&position| depth_below_skin(&body_grid, body, &near, position));
+    // Greatest and count: the same on any number of threads.
+    let (worst_depth, sunken_cloth_vertices) = looked
+        .map(|depth| (depth, u32::from(TOLERANCE < depth)))
+        .reduce(|| (0.0, 0), |a, b| (a.0.max(b.0), a.1 + b.1));
+    let mut result = SkinCheck {
+        worst_depth,
+        sunken_cloth_vertices,
+        ..SkinCheck::default()
+    };
     if 0.0 < result.worst_depth {
         let showing = showing_of(body, cloth, &near, &body_grid);
         result.showing_body_vertices = u32::try_from(showing.len()).unwrap_or(u32::MAX);
@@ -114,6 +120,82 @@ pub fn sunken(body: CheckedSurface<'_>, cloth: CheckedSurface<'_>) -> Vec<u32> {
         .filter(below)
         .map(|(vertex, _)| vertex)
         .collect()
+}
+
+/// Where skin is within [`REACH`]: most of a skirt hangs farther away, and is not looked at closely.
+struct Neighborhood {
+    origin: Vec3,
+    counts: [usize; 3],
+    near: Vec<bool>,
+}
+
+impl Neighborhood {
+    /// Edge of its cells [m].
+    const CELL: f32 = 0.04;
+    /// Cells at most; a body that has burst is looked at everywhere.
+    const MOST: usize = 1 << 20;
+
+    fn of(body: CheckedSurface<'_>, triangles: &[[u32; 3]]) -> Self {
+        let corners = |triangle: &[u32; 3]| triangle.map(|index| body.positions[index as usize]);
+        let reach = Vec3::splat(REACH);
+        let (low, high) = triangles
+            .iter()
+            .map(corners)
+            .fold((Vec3::MAX, Vec3::MIN), |(low, high), [a, b, c]| {
+                (low.min(a.min(b).min(c)), high.max(a.max(b).max(c)))
+            });
+        let (origin, extent) = (low - reach, high - low + 2.0 * reach);
+        let mut found = Self {
+            origin,
+            counts: [0; 3],
+            near: Vec::new(),
+        };
+        let is_bounded = extent.is_finite() && extent.cmpge(Vec3::ZERO).all();
+        let counts = extent.to_array().map(|side| cells(side) + 1);
+        if !is_bounded
+            || Self::MOST
+                < counts
+                    .iter()
+                    .fold(1, |all: usize, n| all.saturating_mul(*n))
+        {
+            return found;
+        }
+        found.counts = counts;
+        found.near = vec![false; counts.iter().product()];
+        for [a, b, c] in triangles.iter().map(corners) {
+            let low = (a.min(b).min(c) - reach - origin).to_array().map(cells);
+            let high = (a.max(b).max(c) + reach - origin).to_array().map(cells);
+            for z in low[2]..=high[2].min(counts[2] - 1) {
+                for y in low[1]..=high[1].min(counts[1] - 1) {
+                    let row = (z * counts[1] + y) * counts[0];
+                    found.near[row + low[0]..=row + high[0].min(counts[0] - 1)].fill(true);
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether skin may be within reach of a place.
+    fn holds(&self, place: Vec3) -> bool {
+        let at = place - self.origin;
+        if self.near.is_empty() || !at.is_finite() {
+            return true;
+        }
+        let [x, y, z] = at.to_array().map(cells);
+        let [columns, rows, layers] = self.counts;
+        let is_inside = at.cmpge(Vec3::ZERO).all() && x < columns && y < rows && z < layers;
+        is_inside && self.near[(z * rows + y) * columns + x]
+    }
+}
+
+/// How many whole cells of a [`Neighborhood`] a length has [m].
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "`as` saturates, and counts are checked"
+)]
+fn cells(length: f32) -> usize {
+    (length / Neighborhood::CELL).max(0.0) as usize
 }
 
 fn bounds(positions: &[Vec3]) -> (Vec3, Vec3) {
@@ -255,5 +337,29 @@ mod tests {
             found.showing_body_vertices as usize > positions.len() * 9 / 10,
             "{found:?}"
         );
+    }
+
+    /// Cloth that is left out because no skin is near it is outside of it, and no other is left out.
+    #[test]
+    fn what_is_not_looked_at_closely_is_far_from_skin() {
+        let (positions, normals, triangles) = sphere(Vec3::new(0.1, 1.0, -0.2), 0.15);
+        let body = CheckedSurface {
+            positions: &positions,
+            normals: &normals,
+            triangles: &triangles,
+        };
+        let neighborhood = Neighborhood::of(body, &triangles);
+        let grid = TriangleGrid::new(&positions, &triangles, CELL);
+        let mut chance = lole_geom::chance::Chance::new(5);
+        let mut left_out = 0;
+        for _ in 0..4000 {
+            let at = [(); 3].map(|()| chance.between(-0.5, 0.5));
+            let place = Vec3::new(0.1, 1.0, -0.2) + Vec3::from(at);
+            if !neighborhood.holds(place) {
+                left_out += 1;
+                assert!(grid.nearest(place, REACH).is_none(), "{place}");
+            }
+        }
+        assert!(left_out > 2000, "{left_out}");
     }
 }
