@@ -1,5 +1,6 @@
 //! The title over the beginning of a film.
 
+use lole_export::pdf::printable;
 use lole_render::label::Label;
 use lole_render::{Image, RenderError};
 
@@ -62,10 +63,10 @@ fn opacity(time: f32) -> f32 {
     share * share * (3.0 - 2.0 * share)
 }
 
-/// On one line, and not too long.
+/// On one line, not too long, and with a mark for what the font lacks.
 fn shortened(title: &str) -> String {
     let words: Vec<&str> = title.split_whitespace().collect();
-    let line = words.join(" ");
+    let line = printable(&words.join(" "));
     let mut letters = line.chars();
     let mut kept: String = letters.by_ref().take(MOST_LETTERS).collect();
     if letters.next().is_some() {
@@ -121,5 +122,10 @@ mod tests {
             assert!(places.iter().all(|&(x, _)| (10..312).contains(&x)));
             assert!(places.iter().any(|&(x, _)| x > 150));
         }
+    }
+
+    #[test]
+    fn what_the_font_lacks_is_a_mark_and_what_turns_text_is_too() {
+        assert_eq!(shortened("波 \u{1f30a}  Kai\u{202e}"), "波 〓 Kai〓");
     }
 }
