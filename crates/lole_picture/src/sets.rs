@@ -131,3 +131,70 @@ fn plain() -> StageLook {
         },
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All that is painted.
+    fn landscapes() -> Vec<(&'static str, Landscape)> {
+        let moods = StageMood::ALL
+            .iter()
+            .map(|mood| (mood.id(), theater::landscape(*mood)));
+        let outdoors = [("beach", beach::landscape()), ("lawn", lawn::landscape())];
+        moods
+            .chain(outdoors)
+            .map(|(name, landscape)| (name, landscape.unwrap().clone()))
+            .collect()
+    }
+
+    /// A panorama is whole above the horizon and open at its lower edge, and its two ends meet.
+    #[test]
+    fn every_panorama_is_whole_and_closes() {
+        for (name, landscape) in landscapes() {
+            let far = &landscape.far;
+            let (width, height) = (far.picture.width() as usize, far.picture.height() as usize);
+            let pixel = |x: usize, y: usize| &far.picture.pixels()[(y * width + x) * 4..][..4];
+            let horizon = far.top / (far.top - far.bottom) * height as f32;
+            let above = (0..height).take_while(|&y| (y as f32) < horizon - 2.0);
+            for y in above.clone() {
+                assert!((0..width).all(|x| pixel(x, y)[3] == 255), "{name}: row {y}");
+                let (left, right) = (pixel(0, y), pixel(width - 1, y));
+                let apart = left.iter().zip(right).map(|(a, b)| a.abs_diff(*b)).max();
+                assert!(apart < Some(28), "{name}: row {y}: {left:?} and {right:?}");
+            }
+            assert!(above.count() > height / 2);
+            assert!((0..width).all(|x| pixel(x, height - 1)[3] < 128), "{name}");
+        }
+    }
+
+    /// What is behind her is neither black nor white where a camera in front looks, and no two sets are alike.
+    #[test]
+    fn sets_differ_and_are_seen() {
+        let mut seen: Vec<(&str, [f32; 3])> = Vec::new();
+        for (name, landscape) in landscapes() {
+            let far = &landscape.far.picture;
+            let (width, height) = (far.width() as usize, far.height() as usize);
+            let ahead = (width * 7 / 16..width * 9 / 16)
+                .flat_map(|x| (height * 5 / 8..height * 13 / 16).map(move |y| (y * width + x) * 4));
+            let mut sum = [0.0; 3];
+            let mut count = 0.0;
+            for start in ahead {
+                count += 1.0;
+                for (sum, part) in sum.iter_mut().zip(&far.pixels()[start..start + 3]) {
+                    *sum += f32::from(*part);
+                }
+            }
+            let mean = sum.map(|sum| sum / count);
+            let light = mean.iter().sum::<f32>() / 3.0;
+            assert!((12.0..235.0).contains(&light), "{name}: {mean:?}");
+            for (other, color) in &seen {
+                let apart = (color.iter().zip(mean))
+                    .map(|(a, b)| (a - b).abs())
+                    .sum::<f32>();
+                assert!(apart > 20.0, "{name} is as {other}: {mean:?}");
+            }
+            seen.push((name, mean));
+        }
+    }
+}

@@ -40,6 +40,16 @@ struct Tones {
 }
 
 impl Tones {
+    /// A little color.
+    const LIGHT: Self = Self {
+        cheeks: 0.34,
+        lips: 0.78,
+        lip_tone: 1.0,
+        rouge: LIPS,
+        lash_line: 1.0,
+        shadow: 0.0,
+    };
+
     const fn of(makeup: Makeup, figure: Figure) -> Self {
         match makeup {
             Makeup::OfFigure => Self::of_figure(figure),
@@ -51,14 +61,7 @@ impl Tones {
                 lash_line: 0.6,
                 shadow: 0.0,
             },
-            Makeup::Light => Self {
-                cheeks: 0.34,
-                lips: 0.78,
-                lip_tone: 1.0,
-                rouge: LIPS,
-                lash_line: 1.0,
-                shadow: 0.0,
-            },
+            Makeup::Light => Self::LIGHT,
             Makeup::Stage => Self {
                 cheeks: 0.62,
                 lips: 0.95,
@@ -72,14 +75,7 @@ impl Tones {
 
     const fn of_figure(figure: Figure) -> Self {
         match figure {
-            Figure::OfStature | Figure::Woman => Self {
-                cheeks: 0.34,
-                lips: 0.78,
-                lip_tone: 1.0,
-                rouge: LIPS,
-                lash_line: 1.0,
-                shadow: 0.0,
-            },
+            Figure::OfStature | Figure::Woman => Self::LIGHT,
             Figure::Man => Self {
                 cheeks: 0.12,
                 lips: 0.28,

@@ -3,12 +3,12 @@
 use super::canvas::{Canvas, Place};
 use super::floors;
 use super::noise::{Fractal, ramp, smooth_between};
-use super::plants::{Greens, Palm, Tree};
+use super::plants::{Greens, Palm, Tree, polygon};
 use glam::{Vec2, Vec3};
 use lole_geom::trig;
 use lole_render::backdrop::{Floor, Panorama, Shore};
 use lole_render::{KeyLight, Landscape, LightRig, SoftBox};
-use std::f32::consts::TAU;
+use std::f32::consts::{PI, TAU};
 use std::sync::OnceLock;
 
 /// Towards the sun.
@@ -165,7 +165,7 @@ fn veiled(noise: &Fractal, sky: Vec3, azimuth: f32, sine: f32) -> Vec3 {
 /// Heaps of clouds over the horizon, lit at their rims.
 fn banked(noise: &Fractal, sky: Vec3, azimuth: f32, sine: f32) -> Vec3 {
     let around = (azimuth / TAU + 0.5) * 36.0;
-    let top = 0.035 + 0.085 * smooth_between(0.40, 0.75, noise.at(around * 0.5, 3.3));
+    let top = 0.035 + 0.085 * smooth_between(0.40, 0.75, noise.every(18).at(around * 0.5, 3.3));
     let fluff = noise.at(around, sine * 42.0) - 0.5;
     let depth = (top * (1.0 + 0.9 * fluff) - sine) / 0.035;
     let thick = smooth_between(0.0, 0.55, depth) * smooth_between(0.0, 0.012, sine);
@@ -202,14 +202,28 @@ fn islands(noise: &Fractal, sky: Vec3, azimuth: f32, sine: f32) -> Vec3 {
 
 /// What grows on the land side: bushes in a row, palms before them.
 fn grove(canvas: &mut Canvas) {
+    // What the bushes grow out of.
+    let place = Place {
+        azimuth: 0.0,
+        distance: 30.0,
+    };
+    for (ink, top) in [(FAR_GREENS[0], 1.15), (FAR_GREENS[1], 0.55)] {
+        for [from, to] in [[0.60, PI], [-PI, -2.28]] {
+            let corners = [[from, -0.15], [to, -0.15], [to, top], [from + 0.05, top]];
+            let corners = corners.map(|[azimuth, y]| Vec2::new(azimuth * place.distance, y));
+            if let Some(path) = polygon(corners.into_iter()) {
+                canvas.fill(&path, ink, place);
+            }
+        }
+    }
     for index in 0..46_u8 {
         let share = f32::from(index) / 45.0;
-        let azimuth = 0.62 + share * 2.45;
+        let azimuth = 0.62 + share * 2.49;
         let distance = 34.0 - 10.0 * share + 3.0 * trig::sin(f32::from(index) * 2.3);
         bush(canvas, azimuth, distance, u64::from(index));
     }
     for index in 0..16_u8 {
-        let azimuth = -3.08 + f32::from(index) * 0.055;
+        let azimuth = -3.12 + f32::from(index) * 0.055;
         bush(canvas, azimuth, 24.0, 100 + u64::from(index));
     }
     // Direction, distance and height; the farther ones first.

@@ -112,7 +112,7 @@ fn clear_sky(sine: f32) -> Vec3 {
 fn clouded(noise: &Fractal, sky: Vec3, azimuth: f32, sine: f32) -> Vec3 {
     let around = (azimuth / TAU + 0.5) * 30.0;
     let density = |around: f32, sine: f32| {
-        let cover = noise.at(around * 0.5, sine * 11.0 + 7.0);
+        let cover = noise.every(15).at(around * 0.5, sine * 11.0 + 7.0);
         let fluff = noise.at(around * 2.0, sine * 34.0);
         let below = smooth_between(0.03, 0.09, sine);
         0.62 * cover + 0.48 * fluff - 0.10 * (1.0 - below)
@@ -166,7 +166,7 @@ const NEAR_RIDGE: Range = Range {
 fn mountains(noise: &Fractal, behind: Vec3, [azimuth, sine]: [f32; 2], range: Range) -> Vec3 {
     let around = (azimuth / TAU + 0.5) * range.ridges;
     let crest = |around: f32| {
-        let broad = noise.at(around * 0.5, range.row);
+        let broad = noise.every(24).at(around * 0.5, range.row);
         let sharp = 1.0 - (noise.at(around * 2.0, range.row + 9.0) - 0.5).abs() * 3.0;
         range.high * (0.25 + 0.85 * broad + 0.16 * sharp - 0.08)
     };
@@ -195,7 +195,7 @@ fn plant(canvas: &mut Canvas) {
     hedge(canvas);
     for index in 0..84_u16 {
         let wave = trig::sin(f32::from(index) * 1.9);
-        let azimuth = -3.05 + f32::from(index) * 0.0735;
+        let azimuth = -3.105 + f32::from(index) * 0.0748;
         let tree = Tree {
             place: Place {
                 azimuth,

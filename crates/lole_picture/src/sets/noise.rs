@@ -25,6 +25,14 @@ pub(super) struct Fractal {
 }
 
 impl Fractal {
+    /// The same that repeats after other steps across.
+    pub(super) const fn every(self, across: i32) -> Self {
+        Self {
+            period: [across, self.period[1]],
+            ..self
+        }
+    }
+
     /// At a place in steps of the coarsest lattice: 0 to 1, around 0.5.
     pub(super) fn at(&self, x: f32, y: f32) -> f32 {
         let [mut sum, mut all, mut strength, mut finer] = [0.0, 0.0, 1.0, 1.0_f32];

@@ -29,8 +29,6 @@ struct Colors {
     lamps: [[f32; 3]; 2],
     /// The lamp on her.
     key: [f32; 3],
-    /// What haze shows of the lamps, and what the boards fade to.
-    haze: [f32; 3],
 }
 
 impl Colors {
@@ -48,7 +46,6 @@ impl Colors {
                 pool: [0.045, 0.026, 0.075],
                 lamps: [[1.25, 0.70, 0.85], [0.45, 0.75, 1.35]],
                 key: [1.62, 1.46, 1.20],
-                haze: [0.12, 0.06, 0.22],
             },
             StageMood::Joyful => Self {
                 cloth: [
@@ -62,7 +59,6 @@ impl Colors {
                 pool: [0.10, 0.045, 0.020],
                 lamps: [[1.45, 0.85, 0.45], [1.20, 0.60, 0.75]],
                 key: [1.70, 1.50, 1.20],
-                haze: [0.20, 0.09, 0.06],
             },
             StageMood::Sea => Self {
                 cloth: [
@@ -76,7 +72,6 @@ impl Colors {
                 pool: [0.015, 0.050, 0.070],
                 lamps: [[0.45, 1.05, 1.10], [0.40, 0.70, 1.40]],
                 key: [1.52, 1.46, 1.30],
-                haze: [0.03, 0.11, 0.18],
             },
             StageMood::Solemn => Self {
                 cloth: [
@@ -90,7 +85,6 @@ impl Colors {
                 pool: [0.020, 0.020, 0.030],
                 lamps: [[0.60, 0.62, 0.75], [0.50, 0.58, 0.80]],
                 key: [1.70, 1.52, 1.22],
-                haze: [0.03, 0.03, 0.05],
             },
         }
     }
@@ -162,7 +156,8 @@ fn paint(colors: &Colors) -> Option<Landscape> {
             foam_color: [0.0; 3],
         },
         pool: 2.7,
-        haze: colors.haze,
+        // The dark of the house.
+        haze: [0.006, 0.005, 0.009],
         haze_distance: 60.0,
         glow: 0.22,
         turn: 0.0,
