@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 use lole_body::{Bone, Dancer, Figure, HairStyle, PartKind, Pose};
-use lole_picture::dancer_materials;
+use lole_picture::{Strands, dancer_materials};
 use lole_render::{Backend, Camera, Material, Renderer, Scene, SceneMesh, Size};
 
 use people::{Measures, all};
@@ -49,14 +49,13 @@ const SIX: [Who; 6] = [
     ),
 ];
 
-/// Positions and normals where a dancer stands.
-type Placed = (Vec<Vec3>, Vec<Vec3>);
+/// Positions and normals of body and hair's strands where a dancer stands.
+type Placed = [(Vec<Vec3>, Vec<Vec3>); 2];
 
 /// One dancer as she is drawn: posed vertices and the materials of her parts.
 struct Drawn {
     dancer: Dancer,
-    positions: Vec<Vec3>,
-    normals: Vec<Vec3>,
+    posed: Placed,
     materials: Vec<(PartKind, Material)>,
     /// Middle of the head [m].
     head: Vec3,
@@ -66,8 +65,12 @@ impl Drawn {
     fn new((figure, measures, hair): Who) -> Result<Self, Box<dyn Error>> {
         let dancer = people::dancer(figure, measures, (hair, |_| ()))?;
         let world_from_bind = dancer.skeleton.world_from_bind(&standing());
-        let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        (dancer.drawn()).pose(&world_from_bind, &mut positions, &mut normals);
+        let drawn = dancer.drawn_body.as_ref().ok_or("she is not drawn")?;
+        let posed = [dancer.drawn(), &drawn.strands].map(|mesh| {
+            let (mut positions, mut normals) = (Vec::new(), Vec::new());
+            mesh.pose(&world_from_bind, &mut positions, &mut normals);
+            (positions, normals)
+        });
         let head = dancer.skeleton.joint(Bone::Head);
         let crown = dancer.landmarks.crown_height;
         Ok(Self {
@@ -78,8 +81,7 @@ impl Drawn {
                 head.z,
             )),
             dancer,
-            positions,
-            normals,
+            posed,
         })
     }
 
@@ -89,9 +91,11 @@ impl Drawn {
             matrix3: Mat3A::from_quat(Quat::from_rotation_y(turn)),
             translation: to.into(),
         };
-        let positions = (self.positions.iter()).map(|&p| place.transform_point3(p));
-        let normals = (self.normals.iter()).map(|&n| place.transform_vector3(n));
-        (positions.collect(), normals.collect())
+        self.posed.each_ref().map(|(positions, normals)| {
+            let positions = positions.iter().map(|&p| place.transform_point3(p));
+            let normals = normals.iter().map(|&n| place.transform_vector3(n));
+            (positions.collect(), normals.collect())
+        })
     }
 }
 
@@ -148,7 +152,22 @@ fn draw(
     bodies: &[(&Drawn, Placed)],
 ) -> Result<(), Box<dyn Error>> {
     let mut scene = Scene::studio(camera);
-    for (drawn, (positions, normals)) in bodies {
+    let strands: Vec<Option<Strands>> = (bodies.iter())
+        .map(|(drawn, _)| Strands::of(&drawn.dancer, &drawn.materials))
+        .collect();
+    for ((_, [_, (positions, normals)]), strands) in bodies.iter().zip(&strands) {
+        scene
+            .meshes
+            .extend(strands.as_ref().map(|strands| SceneMesh {
+                positions,
+                normals,
+                uvs: &strands.uvs,
+                colors: &[],
+                triangles: &strands.triangles,
+                material: &strands.material,
+            }));
+    }
+    for (drawn, [(positions, normals), _]) in bodies {
         let skin = drawn.dancer.drawn();
         for (part, (_, material)) in skin.parts.iter().zip(&drawn.materials) {
             scene.meshes.push(SceneMesh {

@@ -93,6 +93,21 @@ pub enum LookError {
     Render(#[from] RenderError),
 }
 
+impl Strands {
+    /// Those of a dancer whose parts have these materials; `None` where she has none.
+    #[must_use]
+    pub fn of(dancer: &Dancer, materials: &[(PartKind, Material)]) -> Option<Self> {
+        let (_, hair) = materials.iter().find(|(kind, _)| *kind == PartKind::Hair)?;
+        let strands = &dancer.drawn_body.as_ref()?.strands;
+        let triangles = strands.parts.iter().flat_map(|part| &part.triangles);
+        Some(Self {
+            material: strand_material(hair),
+            uvs: strands.uvs.clone(),
+            triangles: triangles.copied().collect(),
+        })
+    }
+}
+
 impl Looks {
     /// Draws prints and hair once.
     ///
@@ -102,16 +117,7 @@ impl Looks {
         let surfaces = production.surfaces();
         let skin = production.dancer.drawn();
         let materials = dancer_materials(&production.dancer)?;
-        let hair = (materials.iter()).find(|(kind, _)| *kind == PartKind::Hair);
-        let drawn = production.dancer.drawn_body.as_ref();
-        let strands = hair.zip(drawn).map(|((_, hair), drawn)| {
-            let triangles = drawn.strands.parts.iter().flat_map(|part| &part.triangles);
-            Strands {
-                material: strand_material(hair),
-                uvs: drawn.strands.uvs.clone(),
-                triangles: triangles.copied().collect(),
-            }
-        });
+        let strands = Strands::of(&production.dancer, &materials);
         let parts = skin.parts.iter().zip(materials);
         Ok(Self {
             worn: surfaces

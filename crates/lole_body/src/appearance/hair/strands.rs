@@ -22,7 +22,7 @@ const ON_BUN: u16 = 260;
 /// Half the width of a strand [m]: several hairs that lie together.
 const HALF_WIDTH: [f32; 2] = [0.000_30, 0.000_65];
 /// How far above what is combed together a strand lies [m].
-const LIFT: [f32; 2] = [0.000_3, 0.001_5];
+const LIFT: [f32; 2] = [0.000_1, 0.000_6];
 /// A strand turns its flat side to either side by up to this [rad]: they do not all shine at once.
 const ROLL: f32 = 0.55;
 /// Its flat side is lit as if it were round: normals at its edges lean out this far.
@@ -152,7 +152,7 @@ impl Scalp<'_> {
         let drift = chance.between(-0.035, 0.035);
         let height = self.k * chance.between(LIFT[0], LIFT[1]);
         let tip = if style == HairStyle::Short {
-            0.0014 * self.k
+            0.0006 * self.k
         } else {
             0.0
         };
