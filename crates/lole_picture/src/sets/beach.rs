@@ -208,8 +208,9 @@ fn grove(canvas: &mut Canvas) {
         distance: 30.0,
     };
     for (ink, top) in [(FAR_GREENS[0], 1.15), (FAR_GREENS[1], 0.55)] {
-        for [from, to] in [[0.60, PI], [-PI, -2.28]] {
-            let corners = [[from, -0.15], [to, -0.15], [to, top], [from + 0.05, top]];
+        // From where the beach begins to behind her, and on to where it ends.
+        for [from, to, rises, falls] in [[0.60, PI, 0.65, PI], [-PI, -2.28, -PI, -2.33]] {
+            let corners = [[from, -0.15], [to, -0.15], [falls, top], [rises, top]];
             let corners = corners.map(|[azimuth, y]| Vec2::new(azimuth * place.distance, y));
             if let Some(path) = polygon(corners.into_iter()) {
                 canvas.fill(&path, ink, place);

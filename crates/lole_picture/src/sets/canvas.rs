@@ -78,7 +78,9 @@ impl Canvas {
     /// Fills a shape that is given in meters: to the right of a place, and up from the floor there.
     pub(super) fn fill(&mut self, path: &Path, ink: Ink, place: Place) {
         let paint = paint(ink, 255);
-        (self.picture).fill_path(path, &paint, FillRule::Winding, place.transform(), None);
+        for around in place.seen(path).into_iter().flatten() {
+            (self.picture).fill_path(path, &paint, FillRule::Winding, around, None);
+        }
     }
 
     /// Draws lines, given in the same way, of a width [m].
@@ -88,7 +90,9 @@ impl Canvas {
             line_cap: LineCap::Round,
             ..Stroke::default()
         };
-        (self.picture).stroke_path(path, &paint(ink, 255), &stroke, place.transform(), None);
+        for around in place.seen(path).into_iter().flatten() {
+            (self.picture).stroke_path(path, &paint(ink, 255), &stroke, around, None);
+        }
     }
 
     /// The finished panorama, a little softer than its pixels.
@@ -127,6 +131,22 @@ impl Canvas {
 }
 
 impl Place {
+    /// Where a path that is given in meters lies on the picture: what leaves it at one side comes back at the other.
+    fn seen(self, path: &Path) -> [Option<Transform>; 3] {
+        let here = self.transform();
+        let columns = f32::from(COLUMNS);
+        let left = path.bounds().left() * here.sx + here.tx;
+        let right = path.bounds().right() * here.sx + here.tx;
+        // A line is a little wider than its path.
+        let rim = here.sx;
+        let shifted = |by: f32, is_seen: bool| is_seen.then(|| here.post_translate(by, 0.0));
+        [
+            Some(here),
+            shifted(columns, left - rim < 0.0),
+            shifted(-columns, right + rim > columns),
+        ]
+    }
+
     fn transform(self) -> Transform {
         let across = f32::from(COLUMNS) / TAU;
         let down = f32::from(ROWS) / (TOP - BOTTOM);
