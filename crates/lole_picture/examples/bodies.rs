@@ -156,16 +156,8 @@ fn draw(
         .map(|(drawn, _)| Strands::of(&drawn.dancer, &drawn.materials))
         .collect();
     for ((_, [_, (positions, normals)]), strands) in bodies.iter().zip(&strands) {
-        scene
-            .meshes
-            .extend(strands.as_ref().map(|strands| SceneMesh {
-                positions,
-                normals,
-                uvs: &strands.uvs,
-                colors: &[],
-                triangles: &strands.triangles,
-                material: &strands.material,
-            }));
+        let strands = strands.as_ref();
+        (scene.meshes).extend(strands.map(|strands| strands.mesh([positions, normals])));
     }
     for (drawn, [(positions, normals), _]) in bodies {
         let skin = drawn.dancer.drawn();

@@ -106,6 +106,19 @@ impl Strands {
             triangles: triangles.copied().collect(),
         })
     }
+
+    /// Their mesh, with its posed vertices [m] and normals.
+    #[must_use]
+    pub fn mesh<'a>(&'a self, [positions, normals]: [&'a [Vec3]; 2]) -> SceneMesh<'a> {
+        SceneMesh {
+            positions,
+            normals,
+            uvs: &self.uvs,
+            colors: &[],
+            triangles: &self.triangles,
+            material: &self.material,
+        }
+    }
 }
 
 impl Looks {
@@ -195,14 +208,7 @@ impl Looks {
         });
         let cloth_count = self.worn.iter().filter(|cover| cover.is_cloth).count();
         let [positions, normals] = dancer.strands;
-        let strands = (self.strands.iter()).map(|strands| SceneMesh {
-            positions,
-            normals,
-            uvs: &strands.uvs,
-            colors: &[],
-            triangles: &strands.triangles,
-            material: &strands.material,
-        });
+        let strands = (self.strands.iter()).map(|strands| strands.mesh([positions, normals]));
         let strands = strands.filter(|mesh| mesh.uvs.len() == mesh.positions.len());
         let mut meshes: Vec<SceneMesh<'a>> = worn.collect();
         let beside = meshes.split_off(cloth_count);

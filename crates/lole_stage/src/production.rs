@@ -266,11 +266,11 @@ impl Production {
             new.design.dancer = design.dancer.clone();
             let (dancer, _) = dancer(design)?;
             (new.parts, new.drawn_body) = (dancer.skin.parts.clone(), dancer.drawn_body.clone());
+            new.drawn_triangles = dancer.drawn().body_triangles();
             new.dancer = dancer;
         }
         new.dancer.skin.parts = parts_shown(&new.parts, &new.design);
         new.dancer.drawn_body = drawn_shown(new.drawn_body.as_ref(), &new.design);
-        new.drawn_triangles = new.dancer.drawn().body_triangles();
         let stance = self.dance.pose_at(0.0);
         let posed = new.dancer.skeleton.world_from_bind(&stance);
         new.adornments = adorned(&new.design, &new.dancer, &posed, self.cloth_count())?;

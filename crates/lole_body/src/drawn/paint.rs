@@ -133,12 +133,12 @@ pub(super) fn nails(part: &mut Part, colors: &mut Vec<Vec3>) -> Vec<[u32; 3]> {
 
 /// Of a head.
 pub(super) fn head(head: &HeadPart, figure: Figure, makeup: Makeup) -> Vec<Vec3> {
-    let make_up = Tones::of(makeup, figure);
+    let tones = Tones::of(makeup, figure);
     let part = &head.part;
     let mut colors: Vec<Vec3> = part.open.iter().map(|&open| shaded(open)).collect();
     let tint = |color: &mut Vec3, to: Vec3, share: f32| *color = color.lerp(to, share);
     for (color, &cheek) in colors.iter_mut().zip(&head.cheek) {
-        tint(color, CHEEK, cheek * make_up.cheeks);
+        tint(color, CHEEK, cheek * tones.cheeks);
     }
     for &point in &head.ear {
         let open = part.open[point as usize];
@@ -149,11 +149,11 @@ pub(super) fn head(head: &HeadPart, figure: Figure, makeup: Makeup) -> Vec<Vec3>
     for (color, &place) in colors.iter_mut().zip(&part.positions) {
         let near =
             |center: Vec3, reach: f32| smooth_step(1.0 - place.distance(center) / (reach * size));
-        tint(color, CHEEK, 0.7 * make_up.cheeks * near(tip, 0.02));
+        tint(color, CHEEK, 0.7 * tones.cheeks * near(tip, 0.02));
         tint(color, NOSTRIL, 0.45 * near(nostril, 0.005));
     }
-    shadow(head, make_up.shadow, &mut colors);
-    let lips = make_up.rouge * make_up.lip_tone;
+    shadow(head, tones.shadow, &mut colors);
+    let lips = tones.rouge * tones.lip_tone;
     for (ring, points) in head.lips.iter().enumerate() {
         let share = match ring.checked_sub(head.lip_rim) {
             None => 0.0,
@@ -164,7 +164,7 @@ pub(super) fn head(head: &HeadPart, figure: Figure, makeup: Makeup) -> Vec<Vec3>
             Some(_) => 0.35,
         };
         for &point in points {
-            tint(&mut colors[point as usize], lips, share * make_up.lips);
+            tint(&mut colors[point as usize], lips, share * tones.lips);
         }
     }
     let rim = head.lid_rim;
@@ -179,7 +179,7 @@ pub(super) fn head(head: &HeadPart, figure: Figure, makeup: Makeup) -> Vec<Vec3>
             if column <= UPPER {
                 let from_corner = column.min(UPPER - column) as f32;
                 let share = smooth_step((from_corner + 0.5) / 3.0);
-                tint(color, LASHES, dark * share * make_up.lash_line);
+                tint(color, LASHES, dark * share * tones.lash_line);
             } else if rim < ring {
                 tint(color, LOWER_LID, 0.8);
             }

@@ -14,7 +14,7 @@ const RIM: f32 = 0.07;
 /// How far from the upper edge it stands, over the picture's height.
 const FALL: f32 = 0.80;
 /// Longer titles end in an ellipsis.
-const MOST_LETTERS: usize = 60;
+pub const MOST_LETTERS: usize = 60;
 const INK: [u8; 3] = [255, 252, 244];
 /// What it stands out by where the picture is light.
 const SHADE: [u8; 3] = [18, 12, 14];

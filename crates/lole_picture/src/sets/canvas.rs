@@ -181,7 +181,7 @@ fn coarser(picture: &Pixmap) -> Option<Texture> {
             pixels.extend(straight(sum.map(|sum| sum * share)));
         }
     }
-    let [width, height] = [COLUMNS, ROWS].map(|side| u32::from(side / 4));
+    let [width, height] = [width, height].map(|side| u32::try_from(side).unwrap_or(0));
     Texture::new(width, height, pixels).ok()
 }
 

@@ -45,9 +45,8 @@ impl Palm {
             let length = reach * chance.between(0.8, 1.15) * (1.05 - 0.25 * share);
             let side = trig::cos(around);
             let toward_light = side * self.lit;
-            let tone = (share * 1.6 + toward_light * 0.9 + chance.between(-0.5, 0.5) + 0.8)
-                .clamp(0.0, 3.0);
-            let ink = self.greens[[0, 1, 2, 3][rounded(tone)]];
+            let tone = share * 1.6 + toward_light * 0.9 + chance.between(-0.5, 0.5) + 0.8;
+            let ink = self.greens[rounded(tone)];
             self.frond(canvas, (crown, [side, rise], length), ink, &mut chance);
         }
         for index in 0..7_u8 {
@@ -225,8 +224,7 @@ pub(super) fn ferns(
     seed: u64,
 ) {
     let mut chance = Chance::new(seed);
-    for layer in 0..4_u8 {
-        let ink = greens[usize::from(layer)];
+    for (layer, ink) in (0_u8..).zip(greens) {
         for _ in 0..5 {
             let foot = Vec2::new(chance.between(-wide, wide), -0.1);
             let bend = chance.between(-1.0, 1.0);

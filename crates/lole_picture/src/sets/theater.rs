@@ -13,7 +13,7 @@ use lole_render::{KeyLight, Landscape, LightRig, SoftBox};
 use std::f32::consts::TAU;
 use std::sync::OnceLock;
 
-/// Direction of the outermost folds of the curtains [rad], and of the innermost.
+/// Direction of the innermost folds of the curtains [rad], and of the outermost.
 const CURTAINS: [f32; 2] = [0.37, 1.35];
 /// How far away the cloth is [m], as the camera in front has it.
 const BACK: f32 = 12.0;

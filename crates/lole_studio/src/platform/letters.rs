@@ -12,7 +12,7 @@ use lole_geom::{Capsule, Length};
 use lole_language::{Language, Sentence};
 use lole_picture::{BodyPart, Cover, Looks, Moment, Scenery};
 use lole_render::{BackShade, Camera, Material, Sides, Texture};
-use lole_stage::{Divergence, Pull, Vitals};
+use lole_stage::{Divergence, Pull, Vertices, Vitals};
 
 use super::parcel::{Packer, Unpacker, get_vertices, put_vertices};
 use crate::command::Watch;
@@ -323,7 +323,7 @@ pub(crate) fn get_moment(unpacker: &mut Unpacker<'_>) -> Option<Moment> {
     Some(Moment {
         worn: unpacker.each(get_vertices)?,
         body: get_vertices(unpacker)?,
-        strands: Default::default(),
+        strands: Vertices::default(),
     })
 }
 

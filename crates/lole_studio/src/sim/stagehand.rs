@@ -7,7 +7,7 @@ use glam::Vec3;
 use lole_cloth::Crossings;
 use lole_costume::document::{Design, Uncrossed};
 use lole_language::Sentence;
-use lole_picture::Moment;
+use lole_picture::{Moment, Scenery};
 use lole_stage::{Show, Wish};
 
 use super::pace::Pace;
@@ -218,7 +218,7 @@ impl Stagehand {
             return;
         };
         let prints_anew = !show.design().prints().eq(design.prints());
-        let set_anew = show.design().stage != design.stage;
+        let set_anew = Scenery::of(&show.design().stage) != Scenery::of(&design.stage);
         let before = (show.design().clone(), show.production());
         match show.wish(&design) {
             Ok(Wish::Resew) => self.resew(design),
