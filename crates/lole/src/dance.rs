@@ -17,9 +17,8 @@ use lole_export::{ImageView, still};
 use lole_files::OutputFolder;
 use lole_hula::DanceStep;
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
-use lole_picture::Lamps;
 use lole_picture::baked::{self, Keys};
-use lole_picture::film::FilmCamera;
+use lole_picture::film::{FILM_RATE, FRAMES_PER_PICTURE, FilmCamera};
 use lole_picture::studio::{PhotoStudio, STILLS, still_cameras};
 use lole_render::{Backend, Renderer, Size};
 use lole_stage::{
@@ -36,10 +35,6 @@ use crate::patience::{Watch, check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::{Failure, summary};
 
-/// Pictures of the film per second.
-const FILM_RATE: u32 = 30;
-/// Simulated frames per picture.
-const FRAMES_PER_PICTURE: u32 = FRAMES_PER_SECOND / FILM_RATE;
 /// Looks a second at which piece of a garment lies outside.
 const LAYER_RATE: u32 = 5;
 /// Size of the stills: upright, as a poster is.
@@ -325,6 +320,8 @@ impl Run<'_> {
                 }
                 let view = camera.view(performance, shoot.size);
                 shoot.take(performance, view).map_err(Failure::error)?;
+            } else {
+                shoot.studio.pass(performance);
             }
             if frame % key_stride == 0 {
                 let kept = recording.keys.keep(performance);
@@ -467,11 +464,8 @@ struct Finished<'a> {
 }
 
 impl Shoot {
-    /// The lamps of the film stand still while the camera moves.
     fn take(&mut self, performance: &Performance, camera: lole_render::Camera) -> Result<()> {
-        let image = self
-            .studio
-            .shoot(performance, camera, Lamps::Still, &mut self.renderer)?;
+        let image = (self.studio).film(performance, camera, &mut self.renderer)?;
         Ok(self.film.push_frame(&image.pixels)?)
     }
 
@@ -479,9 +473,7 @@ impl Shoot {
         performance.pose_body();
         self.renderer.resize(STILL_SIZE)?;
         for camera in still_cameras(performance, STILL_SIZE) {
-            let image =
-                self.studio
-                    .shoot(performance, camera, Lamps::WithCamera, &mut self.renderer)?;
+            let image = (self.studio).photograph(performance, camera, &mut self.renderer)?;
             self.stills.push(image);
         }
         self.renderer.resize(self.size)?;

@@ -40,7 +40,7 @@ pub use lole_garment::GarmentLayer;
 pub use nearest::{likely, nearest};
 pub use parse::{Place, locate, parse, parse_bytes};
 pub use print::{LinkedPicture, PhotoMarks, PrintError};
-pub use stage::{CameraWork, Gaze, StageDesign, StageMood, StageSet};
+pub use stage::{CameraWork, Gaze, MotionBlur, StageDesign, StageMood, StageSet};
 pub use write::to_toml;
 
 /// Version of the format that this program writes, and the newest it reads.

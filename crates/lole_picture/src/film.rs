@@ -1,13 +1,14 @@
 //! Where the film's camera stands: as near as the whole dance allows.
 
 mod shots;
+pub(crate) mod shutter;
 pub mod title;
 
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer};
 use lole_geom::trig;
 use lole_render::{Camera, Size, View};
-use lole_stage::{Performance, Production};
+use lole_stage::{FRAMES_PER_SECOND, Performance, Production};
 pub use shots::Framing;
 use shots::Shots;
 
@@ -34,6 +35,10 @@ pub struct Placed<'a> {
     pub at: Vec3,
 }
 
+/// Pictures of a film per second.
+pub const FILM_RATE: u32 = 30;
+/// Simulated frames from one picture to the next.
+pub const FRAMES_PER_PICTURE: u32 = FRAMES_PER_SECOND / FILM_RATE;
 /// Free air beyond the crown and the fingers' roots [m].
 const HEADROOM: f32 = 0.12;
 /// Fingers beyond their roots [m].

@@ -3,10 +3,11 @@
 use glam::Vec3;
 use lole_costume::document::Design;
 use lole_export::group::{GroupDancer, GroupReport};
-use lole_render::{Camera, Image, RenderError, Renderer, Size};
+use lole_render::{Camera, Image, RenderError, Renderer, Scene, Size};
 use lole_stage::{Divergence, Formation, Performance, Production, StageError};
 use rayon::prelude::*;
 
+use crate::film::shutter::Shutter;
 use crate::film::{self, FilmCamera, Placed, title};
 use crate::studio::{PhotoStudio, cameras_around};
 use crate::{Lamps, LookError, Looks, Moment, Scenery};
@@ -101,6 +102,7 @@ impl Member {
 pub struct Ensemble {
     members: Vec<Member>,
     formation: Formation,
+    shutter: Shutter,
 }
 
 impl Ensemble {
@@ -115,7 +117,13 @@ impl Ensemble {
         for (member, at) in members.iter_mut().zip(places) {
             member.at = at;
         }
-        Self { members, formation }
+        let first = members.first().map(|it| it.performance.production());
+        let blur = first.map_or_else(Default::default, |it| it.design.stage.motion_blur);
+        Self {
+            members,
+            formation,
+            shutter: Shutter::new(blur),
+        }
     }
 
     /// Everybody.
@@ -179,38 +187,66 @@ impl Ensemble {
         cameras_around(&points.collect::<Vec<Vec3>>(), size)
     }
 
-    /// The picture of the frame that was looked at last, in the set of the first dancer.
+    /// What the film's shutter sees between two pictures: to be called in every frame of the dance that has none.
+    pub fn pass(&mut self) {
+        if self.shutter.is_slow() {
+            (self.members.par_iter_mut()).for_each(|it| it.performance.pose_body());
+            self.keep();
+        }
+    }
+
+    /// The film's picture of the frame that was looked at last, in the set of the first dancer.
     ///
     /// # Errors
     /// A size that cannot be drawn, or an adapter that fails.
-    pub fn picture(
+    pub fn film(&mut self, camera: Camera, renderer: &mut Renderer) -> Result<Image, RenderError> {
+        self.keep();
+        let seen = (&camera, renderer.size());
+        let mut image = self.shutter.expose(seen, |moments| {
+            renderer.render(&self.scene(moments, camera, Lamps::Still))
+        })?;
+        if let Some(first) = self.members.first() {
+            let stage = &first.performance.production().design.stage;
+            title::write(&mut image, &stage.title, first.performance.time())?;
+        }
+        Ok(image)
+    }
+
+    /// A still of the frame that was looked at last, in the set of the first dancer.
+    ///
+    /// # Errors
+    /// A size that cannot be drawn, or an adapter that fails.
+    pub fn photograph(
         &self,
-        (camera, lamps): (Camera, Lamps),
+        camera: Camera,
         renderer: &mut Renderer,
     ) -> Result<Image, RenderError> {
-        let moments = self.members.par_iter().enumerate();
-        let moments = moments.map(|(place, it)| {
-            let moment = match lamps {
-                Lamps::Still => Moment::among(&it.performance, BLINKS_APART * place as f32),
-                Lamps::WithCamera => Moment::photographed(&it.performance),
-            };
-            moment.moved(it.at)
+        let members = self.members.par_iter();
+        let moments = members.map(|it| Moment::photographed(&it.performance).moved(it.at));
+        let moments: Vec<Moment> = moments.collect();
+        renderer.render(&self.scene(&moments, camera, Lamps::WithCamera))
+    }
+
+    /// Lets the shutter see everybody as she is posed.
+    fn keep(&mut self) {
+        let members = self.members.par_iter().enumerate();
+        let moments = members.map(|(place, it)| {
+            Moment::among(&it.performance, BLINKS_APART * place as f32).moved(it.at)
         });
         let moments: Vec<Moment> = moments.collect();
-        let dancers = self.members.iter().zip(&moments);
+        let time = (self.members.first()).map_or(0.0, |first| first.performance.time());
+        self.shutter.keep(time, moments);
+    }
+
+    /// What is seen of moments of everybody.
+    fn scene<'a>(&'a self, moments: &'a [Moment], camera: Camera, lamps: Lamps) -> Scene<'a> {
+        let dancers = self.members.iter().zip(moments);
         let dancers: Vec<_> = dancers
             .map(|(it, moment)| (it.studio.looks(), moment.dancer()))
             .collect();
-        let set = dancers
-            .first()
-            .map_or_else(Scenery::default, |(looks, _)| looks.scenery);
-        let mut image = renderer.render(&Looks::stage(&dancers, (set, lamps), camera))?;
-        let first = self.members.first().map(|it| &it.performance);
-        if let Some(first) = first.filter(|_| lamps == Lamps::Still) {
-            let stage = &first.production().design.stage;
-            title::write(&mut image, &stage.title, first.time())?;
-        }
-        Ok(image)
+        let first = dancers.first();
+        let set = first.map_or_else(Scenery::default, |(looks, _)| looks.scenery);
+        Looks::stage(&dancers, (set, lamps), camera)
     }
 
     /// Who stands where, and how her costume danced.

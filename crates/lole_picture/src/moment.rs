@@ -98,6 +98,27 @@ impl Moment {
         }
     }
 
+    /// All of its surfaces.
+    pub(crate) fn surfaces(&self) -> impl Iterator<Item = &Vertices> {
+        self.worn.iter().chain([&self.body, &self.strands])
+    }
+
+    /// A moment of the same between this one and another, at a share of the way.
+    pub(crate) fn towards(&self, other: &Self, share: f32) -> Self {
+        let between = |from: &Vertices, to: &Vertices| -> Vertices {
+            std::array::from_fn(|column| {
+                let pairs = from[column].iter().zip(&to[column]);
+                pairs.map(|(from, to)| from.lerp(*to, share)).collect()
+            })
+        };
+        let worn = self.worn.iter().zip(&other.worn);
+        Self {
+            worn: worn.map(|(from, to)| between(from, to)).collect(),
+            body: between(&self.body, &other.body),
+            strands: between(&self.strands, &other.strands),
+        }
+    }
+
     /// The same, so far elsewhere on the stage [m].
     #[must_use]
     pub fn moved(mut self, by: Vec3) -> Self {

@@ -4,12 +4,14 @@ use glam::Vec3;
 use lole_render::{Camera, Image, RenderError, Renderer, Size, View};
 use lole_stage::Performance;
 
+use crate::film::shutter::Shutter;
 use crate::film::title;
 use crate::{Cover, Lamps, LookError, Looks, Moment};
 
 /// Everything that pictures of one production share.
 pub struct PhotoStudio {
     looks: Looks,
+    shutter: Shutter,
 }
 
 /// One named still.
@@ -61,6 +63,7 @@ impl PhotoStudio {
         let production = performance.production();
         Ok(Self {
             looks: Looks::new(&production.design, production)?,
+            shutter: Shutter::new(production.design.stage.motion_blur),
         })
     }
 
@@ -75,27 +78,52 @@ impl PhotoStudio {
         &self.looks.worn
     }
 
-    /// The picture of the performance's current frame; its body must be posed.
+    /// A still of the performance's current frame; its body must be posed.
     ///
     /// # Errors
     /// A size that cannot be drawn, or an adapter that fails.
-    pub fn shoot(
+    pub fn photograph(
         &self,
         performance: &Performance,
         camera: Camera,
-        lamps: Lamps,
         renderer: &mut Renderer,
     ) -> Result<Image, RenderError> {
-        let moment = match lamps {
-            Lamps::Still => Moment::of(performance),
-            Lamps::WithCamera => Moment::photographed(performance),
-        };
-        let scene = self.looks.scene(&moment.dancer(), camera, lamps);
-        let mut image = renderer.render(&scene)?;
-        if lamps == Lamps::Still {
-            let stage = &performance.production().design.stage;
-            title::write(&mut image, &stage.title, performance.time())?;
+        let moment = Moment::photographed(performance);
+        let scene = (self.looks).scene(&moment.dancer(), camera, Lamps::WithCamera);
+        renderer.render(&scene)
+    }
+
+    /// What the film's shutter sees between two pictures: to be called in every frame of the dance that has none.
+    pub fn pass(&mut self, performance: &mut Performance) {
+        if self.shutter.is_slow() {
+            performance.pose_body();
+            let moment = Moment::of(performance);
+            self.shutter.keep(performance.time(), vec![moment]);
         }
+    }
+
+    /// The film's picture of the performance's current frame; its body must be posed. The lamps of a film stand
+    /// still while the camera moves.
+    ///
+    /// # Errors
+    /// A size that cannot be drawn, or an adapter that fails.
+    pub fn film(
+        &mut self,
+        performance: &Performance,
+        camera: Camera,
+        renderer: &mut Renderer,
+    ) -> Result<Image, RenderError> {
+        let moment = Moment::of(performance);
+        self.shutter.keep(performance.time(), vec![moment]);
+        let seen = (&camera, renderer.size());
+        let mut image = self.shutter.expose(seen, |moments| {
+            let dancers = moments.iter().map(|moment| (&self.looks, moment.dancer()));
+            let dancers: Vec<_> = dancers.collect();
+            let stage = (self.looks.scenery, Lamps::Still);
+            renderer.render(&Looks::stage(&dancers, stage, camera))
+        })?;
+        let stage = &performance.production().design.stage;
+        title::write(&mut image, &stage.title, performance.time())?;
         Ok(image)
     }
 }

@@ -1,6 +1,6 @@
 //! Where a picture is taken from, and views that frame a box.
 
-use crate::RenderError;
+use crate::{RenderError, Size};
 use glam::{Mat4, Vec2, Vec3};
 use lole_geom::trig;
 
@@ -213,6 +213,16 @@ impl Camera {
             target: Vec3::new(center.x, 0.0, center.z) + turn(target_arm),
             ..front
         }
+    }
+
+    /// Where a point of the world is seen in a picture of `size` [pixel], from its top left corner; `None` behind
+    /// the camera.
+    #[must_use]
+    pub fn pixel(&self, point: Vec3, size: Size) -> Option<Vec2> {
+        let clip = self.clip_from_world(size.aspect()) * point.extend(1.0);
+        let half = Vec2::new(size.width as f32, size.height as f32) * 0.5;
+        let seen = Vec2::new(clip.x, -clip.y) / clip.w;
+        (NEAR < clip.w).then(|| half + seen * half)
     }
 
     /// Unit vectors of the picture: right, up and backward (towards the viewer).

@@ -1,6 +1,9 @@
 //! The finished picture and its size.
 
 use crate::RenderError;
+use crate::srgb::SrgbTable;
+use glam::Vec3;
+use rayon::prelude::*;
 
 /// Width and height of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,5 +93,52 @@ impl Image {
         let start = (y as usize * self.width as usize + x as usize) * 4;
         let bytes = self.pixels.get(start..start + 4)?;
         Some([bytes[0], bytes[1], bytes[2], bytes[3]])
+    }
+}
+
+/// Light that falls on one film from several pictures of the same size, each for as long as the others.
+pub struct Exposure {
+    srgb: SrgbTable,
+    size: Size,
+    /// Sum of the linear light, by pixel.
+    light: Vec<Vec3>,
+    count: f32,
+}
+
+impl Exposure {
+    /// A film that has seen nothing.
+    #[must_use]
+    pub fn new(size: Size) -> Self {
+        Self {
+            srgb: SrgbTable::new(),
+            size,
+            light: vec![Vec3::ZERO; size.pixel_count()],
+            count: 0.0,
+        }
+    }
+
+    /// Lets it see a picture of its size; what of another lies outside is not seen.
+    pub fn add(&mut self, picture: &Image) {
+        let srgb = &self.srgb;
+        let pixels = picture.pixels.par_chunks_exact(4);
+        let seen = self.light.par_iter_mut().zip(pixels);
+        seen.for_each(|(light, pixel)| *light += srgb.decode([pixel[0], pixel[1], pixel[2]]));
+        self.count += 1.0;
+    }
+
+    /// The mean of what it has seen; black if that was nothing.
+    #[must_use]
+    pub fn develop(self) -> Image {
+        let share = 1.0 / self.count.max(1.0);
+        let srgb = &self.srgb;
+        let pixels = self.light.par_iter().flat_map_iter(|light| {
+            let [red, green, blue] = srgb.encode(*light * share);
+            [red, green, blue, 255]
+        });
+        Image {
+            width: self.size.width,
+            height: self.size.height,
+            pixels: pixels.collect(),
+        }
     }
 }

@@ -38,7 +38,7 @@ pub use backdrop::{Background, Gradient, Ground, Landscape};
 pub use camera::{Bounds, Camera, View};
 pub use error::RenderError;
 pub use gpu::{AmbientLight, Effort, LiveView, Overlay, OverlayLine};
-pub use image::{Image, Size};
+pub use image::{Exposure, Image, Size};
 pub use light::{KeyLight, LightRig, SoftBox};
 pub use material::{BackShade, Material, Sides};
 pub use renderer::{Backend, Renderer};

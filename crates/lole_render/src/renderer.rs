@@ -74,6 +74,12 @@ impl Renderer {
         Ok(())
     }
 
+    /// Size of its pictures.
+    #[must_use]
+    pub const fn size(&self) -> Size {
+        self.size
+    }
+
     /// What draws, for people: `CPU rasterizer, 2 threads` or the adapter's name.
     #[must_use]
     pub fn description(&self) -> &str {

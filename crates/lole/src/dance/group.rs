@@ -11,14 +11,14 @@ use lole_export::group::group_json;
 use lole_export::video::{Mp4Writer, Song};
 use lole_files::OutputFolder;
 use lole_language::{Bilingual as _, Language, Sentence};
-use lole_picture::Lamps;
+use lole_picture::film::FRAMES_PER_PICTURE;
 use lole_picture::group::{Ensemble, MOST_DANCERS, Member, MemberError};
 use lole_render::{Image, Renderer, Size};
 use lole_stage::{Danced, Performance};
 use lole_study::{Stopwatch, figures};
 use rayon::prelude::*;
 
-use super::{FRAMES_PER_PICTURE, Files, backend, frame_count, open_film, place_of, still_frame};
+use super::{Files, backend, frame_count, open_film, place_of, still_frame};
 use crate::args::DanceArgs;
 use crate::clock::SystemClock;
 use crate::order::{nobody_listed, of_file, read_roster};
@@ -176,9 +176,11 @@ impl Run<'_> {
             check(self.stop)?;
             if frame % FRAMES_PER_PICTURE == 0 {
                 group.look();
-                let view = (group.view(&camera, size), Lamps::Still);
-                let image = group.picture(view, &mut renderer).map_err(Failure::error)?;
+                let view = group.view(&camera, size);
+                let image = group.film(view, &mut renderer).map_err(Failure::error)?;
                 film.push_frame(&image.pixels).map_err(Failure::error)?;
+            } else {
+                group.pass();
             }
             if frame == still_frame {
                 stills = take_stills(group, &mut renderer).map_err(Failure::error)?;
@@ -247,6 +249,6 @@ fn take_stills(group: &mut Ensemble, renderer: &mut Renderer) -> Result<Vec<Imag
     group.look();
     renderer.resize(STILL_SIZE)?;
     let cameras = group.still_cameras(STILL_SIZE).into_iter();
-    let stills = cameras.map(|camera| group.picture((camera, Lamps::WithCamera), renderer));
+    let stills = cameras.map(|camera| group.photograph(camera, renderer));
     Ok(stills.collect::<Result<_, _>>()?)
 }

@@ -9,6 +9,8 @@ pub struct StageDesign {
     pub mood: StageMood,
     /// How the film's camera moves.
     pub camera: CameraWork,
+    /// How the film sees what moves while the shutter is open.
+    pub motion_blur: MotionBlur,
     /// Where she looks.
     pub gaze: Gaze,
     /// What is written over the beginning of a film; nothing where it is empty.
@@ -87,6 +89,54 @@ impl CameraWork {
             Self::Still => words("正面から", "from the front"),
             Self::Turntable => words("ひとまわり", "once around"),
             Self::Cuts => words("フレーズごとに切り替える", "cut on phrases"),
+        }
+    }
+}
+
+/// How long the shutter of the film's camera is open for each picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MotionBlur {
+    /// For a moment: what moves is as sharp as what stands.
+    #[default]
+    None,
+    /// Half of the time from one picture to the next, as films have it: an angle of 180°.
+    Film,
+    /// All of it: 360°.
+    Long,
+}
+
+impl MotionBlur {
+    /// All of them, the usual one first.
+    pub const ALL: [Self; 3] = [Self::None, Self::Film, Self::Long];
+
+    /// Its name in documents.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Film => "film",
+            Self::Long => "long",
+        }
+    }
+
+    /// What a person calls it.
+    #[must_use]
+    pub const fn name(self) -> lole_language::Words {
+        use lole_language::words;
+        match self {
+            Self::None => words("なし", "none"),
+            Self::Film => words("映画のように", "as in films"),
+            Self::Long => words("長く流す", "long"),
+        }
+    }
+
+    /// How long the shutter is open, over the time from one picture to the next.
+    #[must_use]
+    pub const fn open_share(self) -> f32 {
+        match self {
+            Self::None => 0.0,
+            Self::Film => 0.5,
+            Self::Long => 1.0,
         }
     }
 }

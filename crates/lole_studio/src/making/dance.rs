@@ -15,7 +15,11 @@ pub(super) fn model(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     let photo = PhotoStudio::new(&performance).map_err(|error| Unmade::of(&error))?;
     let mut keys = Keys::default();
     let every = FRAMES_PER_SECOND / baked::key_rate(danced(&performance));
-    dance(&mut performance, line, every, |performance| {
+    dance(&mut performance, line, |performance, frame| {
+        if !frame.is_multiple_of(every) {
+            return Ok(());
+        }
+        performance.pose_body();
         let kept = keys.keep(performance);
         kept.map_err(|error| Unmade::of(&error))
     })?;
@@ -37,13 +41,12 @@ pub(crate) fn performance(wish: &Wish) -> Result<Performance, Unmade> {
     Performance::new(production).map_err(|error| said(&error))
 }
 
-/// Lets the cloth come to rest and dances the whole dance; `look` is called before every so manyth
-/// frame, with her body posed.
+/// Lets the cloth come to rest and dances the whole dance; `look` is called before every frame of it, with its
+/// number.
 pub(crate) fn dance(
     performance: &mut Performance,
     line: &Line<'_>,
-    every: u32,
-    mut look: impl FnMut(&Performance) -> Result<(), Unmade>,
+    mut look: impl FnMut(&mut Performance, u32) -> Result<(), Unmade>,
 ) -> Result<(), Unmade> {
     // Half of the processor: the window dances on.
     let pool = platform::pool((platform::cores() / 2).max(1));
@@ -52,9 +55,8 @@ pub(crate) fn dance(
     let all = (settled + danced).max(1) as f32;
     for frame in 0..settled + danced {
         line.goes_on(frame as f32 / all)?;
-        if settled <= frame && (frame - settled).is_multiple_of(every) {
-            performance.pose_body();
-            look(performance)?;
+        if let Some(danced) = frame.checked_sub(settled) {
+            look(performance, danced)?;
         }
         let advanced = match &pool {
             Some(pool) => pool.install(|| performance.advance()),

@@ -2,7 +2,7 @@
 
 use eframe::egui::{TextEdit, Ui};
 use lole_body::{HairStyle, Makeup};
-use lole_costume::document::{CameraWork, Gaze, StageMood, StageSet};
+use lole_costume::document::{CameraWork, Gaze, MotionBlur, StageMood, StageSet};
 use lole_language::Words;
 use lole_picture::film::title::MOST_LETTERS;
 
@@ -24,6 +24,10 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let cameras = CameraWork::ALL.map(|work| (work, work.name()));
     if let Some(work) = choose(ui, studio, (text::CAMERA, &cameras), stage.camera) {
         studio.change(|design| design.stage.camera = work);
+    }
+    let blurs = MotionBlur::ALL.map(|blur| (blur, blur.name()));
+    if let Some(blur) = choose(ui, studio, (text::MOTION_BLUR, &blurs), stage.motion_blur) {
+        studio.change(|design| design.stage.motion_blur = blur);
     }
     let gazes = Gaze::ALL.map(|gaze| (gaze, gaze.name()));
     if let Some(gaze) = choose(ui, studio, (text::GAZE, &gazes), stage.gaze) {

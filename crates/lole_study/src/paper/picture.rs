@@ -2,7 +2,6 @@
 
 use lole_costume::document::MethodName;
 use lole_export::study::RunEntry;
-use lole_picture::Lamps;
 use lole_picture::studio::PhotoStudio;
 use lole_render::label::{self, Label};
 use lole_render::{Backend, Camera, Image, RenderError, Renderer, Size, View};
@@ -63,7 +62,7 @@ fn shoot(performance: &Performance, renderer: &mut Renderer) -> Result<Image, St
     // The dancer alone sets the frame, so that all skirts are seen at one scale.
     let points = performance.body_positions();
     let camera = Camera::framing_points(points, View::ThreeQuarter, PANEL.aspect());
-    Ok(PhotoStudio::new(performance)?.shoot(performance, camera, Lamps::WithCamera, renderer)?)
+    Ok(PhotoStudio::new(performance)?.photograph(performance, camera, renderer)?)
 }
 
 /// The method's name, the paper's sentence and ours below a skirt.

@@ -13,7 +13,8 @@ use super::cost::COST;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
 use crate::document::{
-    BodyShapes, CameraWork, Gaze, LinkedFile, MethodName, StageMood, StageSet, Uncrossed, WindModel,
+    BodyShapes, CameraWork, Gaze, LinkedFile, MethodName, MotionBlur, StageMood, StageSet,
+    Uncrossed, WindModel,
 };
 use crate::fabrics::{PRESETS, Preset};
 
@@ -60,6 +61,11 @@ const MOODS: &[(&str, StageMood)] = &[
     (StageMood::Joyful.id(), StageMood::Joyful),
     (StageMood::Sea.id(), StageMood::Sea),
     (StageMood::Solemn.id(), StageMood::Solemn),
+];
+const BLURS: &[(&str, MotionBlur)] = &[
+    (MotionBlur::None.id(), MotionBlur::None),
+    (MotionBlur::Film.id(), MotionBlur::Film),
+    (MotionBlur::Long.id(), MotionBlur::Long),
 ];
 const GAZES: &[(&str, Gaze)] = &[
     (Gaze::Hands.id(), Gaze::Hands),
@@ -382,6 +388,14 @@ const STAGE: Table = Table {
             stage.camera,
             "動画の撮り方: drift はゆっくり左右に、still は正面から、turntable は 12 秒でひとまわり、cuts はフレーズごとに切り替える",
             "how the film is shot: slowly from side to side, from the front, once around in 12 s, or cut on phrases"
+        ),
+        choice!(
+            "motion_blur",
+            words("動きのぼけ", "motion blur"),
+            BLURS,
+            stage.motion_blur,
+            "動画で動くものの流れ方: none は流れない、film は映画のように、long は長く。描く時間が数倍になる",
+            "how what moves is smeared in the film: not, as in films, or long; drawing takes several times as long"
         ),
         choice!(
             "gaze",

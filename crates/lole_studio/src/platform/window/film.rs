@@ -2,19 +2,15 @@
 
 use lole_export::video::{Mp4Writer, VideoSettings};
 use lole_language::Sentence;
-use lole_picture::Lamps;
-use lole_picture::film::FilmCamera;
+use lole_picture::film::{FILM_RATE, FRAMES_PER_PICTURE, FilmCamera};
 use lole_picture::group::{Ensemble, MOST_DANCERS, Member, MemberError};
 use lole_picture::studio::PhotoStudio;
 use lole_render::{Backend, Renderer, Size};
-use lole_stage::FRAMES_PER_SECOND;
 
 use crate::making::dance::{dance, danced, performance};
 use crate::making::paper::said;
 use crate::making::{Line, Unmade, Wish, flew_apart};
 
-/// Pictures of the film per second.
-const FILM_RATE: u32 = 30;
 /// Size of the film.
 const FILM_SIZE: Size = Size {
     width: 1280,
@@ -24,18 +20,22 @@ const FILM_SIZE: Size = Size {
 /// The film as the bytes of an MP4.
 pub(crate) fn film(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     let mut performance = performance(wish)?;
-    let photo = PhotoStudio::new(&performance).map_err(|error| Unmade::of(&error))?;
+    let mut photo = PhotoStudio::new(&performance).map_err(|error| Unmade::of(&error))?;
     let renderer = Renderer::new(Backend::Auto, FILM_SIZE);
     let mut renderer = renderer.map_err(|error| Unmade::of(&error))?;
     let size = [FILM_SIZE.width, FILM_SIZE.height];
     let film = Mp4Writer::new(size, FILM_RATE, VideoSettings::default());
     let mut film = film.map_err(|error| Unmade::of(&error))?;
     let mut camera = None;
-    let every = FRAMES_PER_SECOND / FILM_RATE;
-    dance(&mut performance, line, every, |performance| {
+    dance(&mut performance, line, |performance, frame| {
+        if !frame.is_multiple_of(FRAMES_PER_PICTURE) {
+            photo.pass(performance);
+            return Ok(());
+        }
+        performance.pose_body();
         let camera = camera.get_or_insert_with(|| FilmCamera::new(performance));
         let view = camera.view(performance, FILM_SIZE);
-        let image = photo.shoot(performance, view, Lamps::Still, &mut renderer);
+        let image = photo.film(performance, view, &mut renderer);
         let image = image.map_err(|error| Unmade::of(&error))?;
         let pushed = film.push_frame(&image.pixels);
         pushed.map_err(|error| Unmade::of(&error))
@@ -83,13 +83,15 @@ pub(crate) fn group_film(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade
     let frames = danced(group.members()[0].performance());
     for frame in 0..frames {
         line.goes_on(all(frame as f32 / frames.max(1) as f32))?;
-        if frame.is_multiple_of(FRAMES_PER_SECOND / FILM_RATE) {
+        if frame.is_multiple_of(FRAMES_PER_PICTURE) {
             within(pool.as_ref(), || group.look());
-            let view = (group.view(&camera, FILM_SIZE), Lamps::Still);
-            let image = group.picture(view, &mut renderer);
+            let view = group.view(&camera, FILM_SIZE);
+            let image = group.film(view, &mut renderer);
             let image = image.map_err(|error| Unmade::of(&error))?;
             let pushed = film.push_frame(&image.pixels);
             pushed.map_err(|error| Unmade::of(&error))?;
+        } else {
+            within(pool.as_ref(), || group.pass());
         }
         advance(&mut group)?;
     }
