@@ -1,7 +1,7 @@
 //! `lole dancer`: the dancer alone, in pictures, figures and a 3D file.
 
 use anyhow::Result;
-use lole_body::{Dancer, Expression, Pose};
+use lole_body::{Dancer, Expression, Pose, Swing};
 use lole_costume::document::Place;
 use lole_export::dancer_sheet::{DancerSheet, dancer_json};
 use lole_export::{ImageView, still};
@@ -80,8 +80,11 @@ fn pictures(
     taken: impl Fn(),
 ) -> Result<Vec<(&'static str, Vec<u8>)>> {
     let world_from_bind = dancer.skeleton.world_from_bind(&Pose::default());
-    let [positions, normals] =
-        lole_picture::drawn_body(dancer, &world_from_bind, Expression::default());
+    let [positions, normals] = lole_picture::drawn_body(
+        dancer,
+        &world_from_bind,
+        (Expression::default(), &Swing::default()),
+    );
     let drawn = dancer.drawn();
     let materials = lole_picture::dancer_materials(dancer)?;
     let mut renderer = Renderer::new(backend, PICTURE_SIZE)?;

@@ -3,7 +3,7 @@
 mod hair;
 mod hair_paint;
 
-pub(crate) use hair::{add_hair, strands};
+pub(crate) use hair::{add_drawn_hair, add_hair};
 
 use crate::{Dancer, Figure};
 use lole_language::{Words, words};

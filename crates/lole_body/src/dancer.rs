@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{Affine3A, Vec2, Vec3};
 use lole_geom::Capsule;
 
-use crate::appearance::{add_hair, strands};
+use crate::appearance::{add_drawn_hair, add_hair};
 use crate::capsules::{CapsuleLayout, fit_capsules};
 use crate::drawn::{DrawnBody, Expression, build_drawn};
 use crate::skin_build::{Half, build_skin, skin_half};
@@ -126,10 +126,9 @@ impl Dancer {
         let looks = (measurements.figure, appearance);
         let (mut drawn, scalp) = build_drawn((&shape, &half), &dancer.skeleton, looks)?;
         let style = appearance.hair.worn_by(measurements.figure);
-        add_hair(&mut drawn.mesh, (&shape, &scalp), style);
+        add_drawn_hair(&mut drawn, (&shape, &scalp), style);
         let count = drawn.mesh.positions.len();
         drawn.mesh.colors.resize(count, Vec3::ONE);
-        drawn.strands = strands((&shape, &scalp), style);
         dancer.drawn_body = Some(Arc::new(drawn));
         Ok(dancer)
     }

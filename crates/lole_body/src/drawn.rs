@@ -6,10 +6,12 @@
 mod build;
 mod eyes;
 mod face;
+pub(crate) mod open_hair;
 mod paint;
 mod weld;
 
 pub(crate) use build::build_drawn;
+pub use open_hair::{Combed, HairKnot, OpenHair, Swing};
 
 use glam::{Affine3A, Vec3};
 
@@ -36,6 +38,8 @@ pub struct DrawnBody {
     pub mesh: SkinnedMesh,
     /// Single strands over the hair, for pictures from near by: ribbons, in one part.
     pub strands: SkinnedMesh,
+    /// What of the hair swings; nothing of combed or cut hair.
+    pub open_hair: OpenHair,
     /// Points that move with the lids.
     lids: Vec<LidPoint>,
     /// The left eye and the right one.

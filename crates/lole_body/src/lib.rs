@@ -24,7 +24,7 @@ pub mod tape;
 pub use appearance::{Appearance, BodyPicture, HairStyle, Makeup};
 pub use capsules::{BodyCapsule, CapsuleLayout, Coverage};
 pub use dancer::{Dancer, Landmarks};
-pub use drawn::{DrawnBody, Expression};
+pub use drawn::{Combed, DrawnBody, Expression, HairKnot, OpenHair, Swing};
 pub use error::BodyError;
 pub use measured::Taped;
 pub use measurements::{Figure, Measure, Measurements, Tape};

@@ -8,7 +8,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use glam::{Affine3A, Quat, Vec3};
-use lole_body::{Appearance, Bone, Dancer, Expression, Figure, HairStyle, Pose};
+use lole_body::{Appearance, Bone, Dancer, Expression, Figure, HairStyle, Pose, Swing};
 use lole_picture::{dancer_materials, drawn_body};
 use lole_render::{Backend, Camera, Renderer, Scene, SceneMesh, Size};
 
@@ -162,7 +162,11 @@ impl Posed {
         renderer: &mut Renderer,
     ) -> Result<Vec<u8>, Box<dyn Error>> {
         const DISTANCE: f32 = 2.2;
-        let [positions, normals] = drawn_body(&self.dancer, &self.world_from_bind, expression);
+        let [positions, normals] = drawn_body(
+            &self.dancer,
+            &self.world_from_bind,
+            (expression, &Swing::default()),
+        );
         let mut scene = Scene::studio(Camera {
             eye: target + from.normalize_or(Vec3::Z) * DISTANCE,
             target,

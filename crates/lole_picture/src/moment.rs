@@ -1,7 +1,7 @@
 //! Where everything that is drawn is in one moment.
 
 use glam::{Affine3A, Vec3};
-use lole_body::{Dancer, Expression};
+use lole_body::{Dancer, Expression, Swing};
 use lole_render::Material;
 use lole_stage::{Performance, Production, Vertices};
 
@@ -23,16 +23,19 @@ pub struct DrawnDancer<'a> {
     pub strands: [&'a [Vec3]; 2],
 }
 
-/// The body as it is drawn in a pose.
+/// The body as it is drawn in a pose, with what face and hair do.
 #[must_use]
 pub fn drawn_body(
     dancer: &Dancer,
     world_from_bind: &[Affine3A],
-    expression: Expression,
+    (expression, swing): (Expression, &Swing),
 ) -> Vertices {
     let mut body = Vertices::default();
     let [positions, normals] = &mut body;
     dancer.pose_drawn(world_from_bind, expression, (positions, normals));
+    if let Some(drawn) = &dancer.drawn_body {
+        drawn.open_hair.swing_mesh(swing, (positions, normals));
+    }
     body
 }
 
@@ -72,6 +75,7 @@ impl Moment {
         if let Some(drawn) = &performance.production().dancer.drawn_body {
             let [positions, normals] = &mut moment.strands;
             (drawn.strands).pose(performance.world_from_bind(), positions, normals);
+            (drawn.open_hair).swing_strands(&performance.swing(), (positions, normals));
         }
         moment
     }
@@ -81,7 +85,7 @@ impl Moment {
         let body = drawn_body(
             &production.dancer,
             performance.world_from_bind(),
-            expression,
+            (expression, &performance.swing()),
         );
         Self::new(production, performance.surfaces(), body)
     }

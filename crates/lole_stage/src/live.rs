@@ -8,7 +8,7 @@
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
-use lole_body::{Bone, HairStyle, Makeup, Pose};
+use lole_body::{Bone, HairStyle, Makeup, Pose, Swing};
 use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
 use lole_costume::document::{
     DancerDesign, Design, FabricDesign, GarmentDesign, PartDesign, PrintChoice,
@@ -457,6 +457,12 @@ impl Show {
     #[must_use]
     pub fn capsules(&self) -> &[Capsule] {
         self.performance.capsules()
+    }
+
+    /// How her open hair swings; nothing of other hair.
+    #[must_use]
+    pub fn swing(&self) -> Swing {
+        self.performance.swing()
     }
 
     /// Skin transforms of the present pose, by bone.

@@ -6,6 +6,7 @@ mod drawn;
 mod dressed;
 mod figures;
 mod forearms;
+mod hair;
 mod jump;
 mod no_room;
 mod order;
@@ -22,7 +23,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
-use lole_body::{BodyCapsule, Bone, Pose};
+use lole_body::{BodyCapsule, Bone, Pose, Swing};
 use lole_cloth::awake::keep_awake;
 use lole_cloth::collision::layer::Press;
 use lole_cloth::method::explicit::ExplicitConfig;
@@ -37,6 +38,7 @@ use crate::production::{DressedGarment, Garment, Production};
 use crate::solver::{self, Observer, Solver, Surroundings};
 use adornment::{Adorned, AroundStrands};
 use dressed::{Around, Dressed};
+use hair::Hair;
 use jump::{Hips, Jump};
 use order::Order;
 use worn::{Carrier, Worn};
@@ -112,6 +114,8 @@ pub struct Performance {
     /// Of the forearms, those too that touch nothing.
     forearm_skin: Vec<Surfel>,
     no_room: Vec<NoRoom>,
+    /// Her hair, where it is open.
+    hair: Hair,
     /// Where her hips are, `None` before the first frame.
     hips: Option<Hips>,
     /// Frames danced; negative while settling.
@@ -150,6 +154,7 @@ impl Performance {
             surfels: Vec::new(),
             forearm_skin: Vec::new(),
             no_room: Vec::new(),
+            hair: Hair::default(),
             hips: None,
             frame: -i64::from(SETTLE_FRAMES),
         };
@@ -327,6 +332,7 @@ impl Performance {
         let over = (&self.dressed[..], &self.production.dressed[..]);
         pressed::tighten((self.press.as_mut(), trunk), over);
         self.step_adornments();
+        self.step_hair();
         if let Some(passed) = observer {
             passed(Phase::Strands);
         }
@@ -367,6 +373,23 @@ impl Performance {
         };
         adorned.step(&self.production, &around);
         self.adorned = adorned;
+    }
+
+    fn step_hair(&mut self) {
+        let Some(drawn) = &self.production.dancer.drawn_body else {
+            return;
+        };
+        if drawn.open_hair.knots.is_empty() {
+            return;
+        }
+        let air_velocity = self.air_velocity();
+        let dressed = self.dressed.iter().map(Dressed::positions);
+        let cloth: Vec<&[Vec3]> = dressed.chain([&self.cloth_positions[..]]).collect();
+        (self.hair).step(
+            &drawn.open_hair,
+            &self.world_from_bind,
+            (air_velocity, &cloth),
+        );
     }
 
     /// Velocity of the air around strands and garments sewn from shaped pieces [m/s]: the wind's, with
@@ -555,6 +578,12 @@ impl Performance {
     #[must_use]
     pub fn world_from_bind(&self) -> &[Affine3A] {
         &self.world_from_bind
+    }
+
+    /// How her open hair swings; nothing of other hair.
+    #[must_use]
+    pub fn swing(&self) -> Swing {
+        self.hair.swing()
     }
 
     /// The capsules that the cloth meets: none where it meets the skin.

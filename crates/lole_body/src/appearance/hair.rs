@@ -17,6 +17,8 @@ mod strands;
 
 use super::HairStyle;
 use super::hair_paint::hairline_v;
+use crate::drawn::DrawnBody;
+use crate::drawn::open_hair::{OpenHair, lies};
 use crate::surface::Shape;
 use crate::surface::field::Head;
 use crate::surface::pchip::Pchip;
@@ -35,28 +37,76 @@ const FLOWER: [f32; 2] = [72.0, 16.0];
 const FLOWER_RADIUS: f32 = 0.034;
 
 /// Appends hair and, where it is worn, the flower to the skin.
-pub(crate) fn add_hair(skin: &mut SkinnedMesh, (shape, head): (&Shape, &Head), style: HairStyle) {
-    let scalp = Scalp::new((shape, head), style);
-    let mut hair = scalp.cap();
-    let has_flower = matches!(style, HairStyle::Bun | HairStyle::Long);
-    match style {
-        HairStyle::Long => hair.append(&Fall::new(shape, &scalp, &hair).solid()),
-        HairStyle::Short | HairStyle::Bob => {}
-        HairStyle::OfFigure | HairStyle::Bun => hair.append(&scalp.bun()),
-    }
-    hair.add_to(skin, PartKind::Hair);
-    if has_flower {
-        let (petals, heart) = scalp.flower();
-        petals.add_to(skin, PartKind::Flower);
-        heart.add_to(skin, PartKind::FlowerHeart);
+pub(crate) fn add_hair(skin: &mut SkinnedMesh, on: (&Shape, &Head), style: HairStyle) {
+    Grown::new(on, style).add_to(skin);
+}
+
+/// The same to a drawn body, with single strands and what of them swings.
+pub(crate) fn add_drawn_hair(drawn: &mut DrawnBody, on: (&Shape, &Head), style: HairStyle) {
+    let grown = Grown::new(on, style);
+    let begins = grown.add_to(&mut drawn.mesh);
+    let (strands, of_fall) = strands::strands(&grown.scalp, style, grown.fall.as_ref());
+    drawn.strands = strands;
+    if let Some(fall) = &grown.fall {
+        let hanging = drawn
+            .mesh
+            .parts
+            .iter()
+            .filter(|part| part.kind == PartKind::Hair);
+        let vertices = hanging
+            .flat_map(|part| part.triangles.iter().flatten())
+            .copied();
+        let ends = vertices.max().map_or(0, |last| last as usize + 1);
+        let lie = |place| fall.lie(place);
+        drawn.open_hair = OpenHair::new(
+            fall.knots(),
+            lies(&drawn.mesh, begins..ends, lie),
+            lies(&drawn.strands, of_fall..usize::MAX, lie),
+        );
     }
 }
 
-/// Single strands that lie over that hair, as a mesh of their own.
-pub(crate) fn strands((shape, head): (&Shape, &Head), style: HairStyle) -> SkinnedMesh {
-    let scalp = Scalp::new((shape, head), style);
-    let fall = (style == HairStyle::Long).then(|| Fall::new(shape, &scalp, &scalp.cap()));
-    strands::strands(&scalp, style, fall.as_ref())
+/// Hair of a style on a head.
+struct Grown<'a> {
+    scalp: Scalp<'a>,
+    style: HairStyle,
+    cap: Solid,
+    fall: Option<Fall>,
+}
+
+impl<'a> Grown<'a> {
+    fn new((shape, head): (&Shape, &'a Head), style: HairStyle) -> Self {
+        let scalp = Scalp::new((shape, head), style);
+        let cap = scalp.cap();
+        let fall = (style == HairStyle::Long).then(|| Fall::new(shape, &scalp, &cap));
+        Self {
+            scalp,
+            style,
+            cap,
+            fall,
+        }
+    }
+
+    /// Appends it to a skin; gives the first vertex after the cap.
+    fn add_to(&self, skin: &mut SkinnedMesh) -> usize {
+        let mut hair = Solid::default();
+        hair.append(&self.cap);
+        let after_cap = skin.positions.len() + hair.positions.len();
+        match &self.fall {
+            Some(fall) => hair.append(&fall.solid()),
+            None if matches!(self.style, HairStyle::OfFigure | HairStyle::Bun) => {
+                hair.append(&self.scalp.bun());
+            }
+            None => {}
+        }
+        hair.add_to(skin, PartKind::Hair);
+        if matches!(self.style, HairStyle::Bun | HairStyle::Long) {
+            let (petals, heart) = self.scalp.flower();
+            petals.add_to(skin, PartKind::Flower);
+            heart.add_to(skin, PartKind::FlowerHeart);
+        }
+        after_cap
+    }
 }
 
 struct Scalp<'a> {

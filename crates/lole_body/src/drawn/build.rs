@@ -79,6 +79,7 @@ pub(crate) fn build_drawn(
     let drawn = DrawnBody {
         mesh,
         strands: crate::SkinnedMesh::default(),
+        open_hair: super::OpenHair::default(),
         lids,
         eyes,
     };

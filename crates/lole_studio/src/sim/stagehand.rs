@@ -397,7 +397,7 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let now = (production.design.stage.gaze, show.time());
     let bones = show.world_from_bind();
     let expression = lole_picture::alive::expression_at(&production.dancer, now, bones);
-    let body = lole_picture::drawn_body(&production.dancer, bones, expression);
+    let body = lole_picture::drawn_body(&production.dancer, bones, (expression, &show.swing()));
     Snapshot {
         wardrobe: Arc::clone(clothes),
         time: show.time(),

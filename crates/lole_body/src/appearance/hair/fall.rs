@@ -6,6 +6,8 @@ use lole_geom::trig;
 use super::super::hair_paint::hairline_v;
 use super::{HEAD_ALONE, Scalp, Solid};
 use crate::Bone;
+use crate::drawn::HairKnot;
+use crate::drawn::open_hair::Lie;
 use crate::surface::Shape;
 use crate::surface::pchip::Pchip;
 use crate::surface::warp::smooth_step;
@@ -39,6 +41,9 @@ const FORWARD: f32 = 0.15;
 /// How far down the back it goes, between shoulder and waist.
 const LENGTH: f32 = 0.66;
 pub(super) const RINGS: usize = 72;
+/// Knots by which it swings, across and down.
+const KNOT_COLUMNS: usize = 5;
+const KNOT_ROWS: usize = 9;
 /// Columns of either side of the sheet.
 pub(super) const COLUMNS: usize = 29;
 
@@ -49,6 +54,8 @@ pub(super) struct Fall {
     /// Heights of shoulder and head, between which the head takes over, and of the chest [m].
     neck: [f32; 2],
     chest: f32,
+    /// Size of the head over the mean woman's.
+    k: f32,
 }
 
 impl Fall {
@@ -59,6 +66,7 @@ impl Fall {
             rings: hung(shape, scalp, cap),
             neck: [body.level("shoulder"), body.joint("head").y],
             chest: body.joint("upperChest").y,
+            k: scalp.k,
         }
     }
 
@@ -83,6 +91,47 @@ impl Fall {
             .normalize_or(Vec3::NEG_Z);
         let outward = if outward.z > 0.0 { -outward } else { outward };
         Some((above.lerp(below, ring - row), outward))
+    }
+
+    /// Knots by which it swings, column by column, and how many columns they are.
+    pub(super) fn knots(&self) -> (Vec<HairKnot>, usize) {
+        let [from, to] = self.swinging();
+        let knot = |column: usize, row: usize| {
+            let ring = from + (to - from) * row as f32 / (KNOT_ROWS - 1) as f32;
+            let column = (COLUMNS - 1) as f32 * (column as f32 + 0.5) / KNOT_COLUMNS as f32;
+            let (place, outward) = self.at(ring, column).unwrap_or_default();
+            HairKnot {
+                place,
+                outward,
+                carried: self.carried(place.y),
+            }
+        };
+        let knots = (0..KNOT_COLUMNS)
+            .flat_map(|column| (0..KNOT_ROWS).map(move |row| knot(column, row)))
+            .collect();
+        (knots, KNOT_COLUMNS)
+    }
+
+    /// Where a place of it lies among the knots.
+    pub(super) fn lie(&self, place: Vec3) -> Lie {
+        let heights = [0, RINGS - 1].map(|ring| self.rings[ring][0].y);
+        let down = (heights[0] - place.y) / (heights[0] - heights[1]);
+        let half = 0.01 * self.k * Pchip::new(&HALF_WIDTH).at(down.clamp(0.0, 1.0));
+        let across = 0.5 + 0.5 * (place.x / half.max(1.0e-3)).clamp(-1.0, 1.0);
+        let [from, to] = self.swinging();
+        let row = ((RINGS - 1) as f32 * down - from) / (to - from);
+        [
+            KNOT_COLUMNS as f32 * across - 0.5,
+            (KNOT_ROWS - 1) as f32 * row,
+        ]
+    }
+
+    /// Rings between which it swings: from where it leaves the head to its end.
+    fn swinging(&self) -> [f32; 2] {
+        let last = RINGS - 1;
+        let heights = [0, last].map(|ring| self.rings[ring][0].y);
+        let from = (heights[0] - self.neck[1]) / (heights[0] - heights[1]);
+        [last as f32 * from.clamp(0.0, 0.9), last as f32]
     }
 
     /// Its closed surface.

@@ -28,8 +28,12 @@ const ROLL: f32 = 0.55;
 /// Its flat side is lit as if it were round: normals at its edges lean out this far.
 const ROUND: f32 = 0.45;
 
-/// The strands of a style, as one part.
-pub(super) fn strands(scalp: &Scalp<'_>, style: HairStyle, fall: Option<&Fall>) -> SkinnedMesh {
+/// The strands of a style, as one part, and the first vertex of those of open hair.
+pub(super) fn strands(
+    scalp: &Scalp<'_>,
+    style: HairStyle,
+    fall: Option<&Fall>,
+) -> (SkinnedMesh, usize) {
     let mut chance = Chance::new(1959);
     let mut mesh = SkinnedMesh::default();
     let mut triangles = Vec::new();
@@ -37,15 +41,17 @@ pub(super) fn strands(scalp: &Scalp<'_>, style: HairStyle, fall: Option<&Fall>) 
         if let Some(strand) = strand {
             strand.add_to(&mut mesh, &mut triangles, chance);
         }
+        mesh.positions.len()
     };
+    let mut of_fall = 0;
     for index in 0..ON_CAP {
         let strand = scalp.on_cap(style, index, &mut chance);
-        add(strand, &mut chance);
+        of_fall = add(strand, &mut chance);
     }
     if matches!(style, HairStyle::OfFigure | HairStyle::Bun) {
         for _ in 0..ON_BUN {
             let strand = scalp.on_bun(&mut chance);
-            add(Some(strand), &mut chance);
+            of_fall = add(Some(strand), &mut chance);
         }
     }
     if let Some(fall) = fall {
@@ -58,7 +64,7 @@ pub(super) fn strands(scalp: &Scalp<'_>, style: HairStyle, fall: Option<&Fall>) 
         kind: PartKind::Hair,
         triangles,
     });
-    mesh
+    (mesh, of_fall)
 }
 
 /// One place along a strand.
