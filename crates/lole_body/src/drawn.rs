@@ -3,6 +3,7 @@
 //!
 //! Skin and drawn body are the same everywhere else, so what cloth meets is what is seen under it.
 
+mod armhole;
 mod build;
 mod eyes;
 mod face;

@@ -44,8 +44,13 @@ pub(crate) fn build_skin(half: &Half, skeleton: &Skeleton) -> SkinnedMesh {
 impl Half {
     /// A new vertex on the edge between two, where their heights say 0.
     pub(crate) fn split(&mut self, [a, b]: [u32; 2], heights: &[f32]) -> u32 {
+        let [above, below] = [a, b].map(|vertex| heights[vertex as usize]);
+        self.add_between([a, b], above / (above - below))
+    }
+
+    /// A new vertex at a share of the way from one to another.
+    pub(crate) fn add_between(&mut self, [a, b]: [u32; 2], share: f32) -> u32 {
         let (a, b) = (a as usize, b as usize);
-        let share = heights[a] / (heights[a] - heights[b]);
         let place = self.positions[a].lerp(self.positions[b], share);
         self.positions.push(place);
         let normal = self.normals[a].lerp(self.normals[b], share);

@@ -5,7 +5,7 @@ use lole_geom::triangle_grid::{TriangleGrid, blend};
 
 use super::face::{self, LidPoint};
 use super::weld::{self, Seam};
-use super::{DrawnBody, eyes, paint};
+use super::{DrawnBody, armhole, eyes, paint};
 use crate::parts::{self, HeadPart, Part};
 use crate::skin_build::{Half, add_hinges};
 use crate::skin_weights::Row;
@@ -33,6 +33,7 @@ pub(crate) fn build_drawn(
         }
     }
     let rows = half.rows.clone();
+    armhole::cut(&mut half, shape, skeleton);
     let skin = ContactSkin {
         grid: TriangleGrid::new(&shape.positions, &shape.triangles, CELL),
         shape,

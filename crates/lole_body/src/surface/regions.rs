@@ -10,10 +10,14 @@ use crate::{Bone, Skeleton};
 const ARM_LIMIT: f32 = 0.7;
 /// Outer edge of the shoulder strap from the middle [m] at a stature of 158.5 cm.
 const STRAP_EDGE: f32 = 0.118;
+/// Middle of the strap [m].
+const STRAP_MIDDLE: f32 = 0.1;
 /// How far beyond the armpit the armhole is still bent [m].
 const SEAM_OUT: f32 = 0.0;
 /// How far below the armpit the armhole ends [m].
 const ARMHOLE_DROP: f32 = 0.037;
+/// The same on the drawn body, whose arms are raised for it.
+const RAISED_DROP: f32 = 0.028;
 /// Height of the armhole's bend as a share of the armhole.
 const ARMHOLE_RISE: f32 = 0.62;
 
@@ -84,18 +88,29 @@ impl Regions {
         let scoop = depth + 14.5 / k * x * x - point.y;
         let off_arm = (ARM_LIMIT - arm) * (0.1 * k);
         leg.min(scoop)
-            .min(self.armhole(Vec2::new(x, point.y)))
+            .min(self.armhole(Vec2::new(x, point.y), ARMHOLE_DROP))
             .min(off_arm)
+    }
+
+    /// Where a point with the left arm raised is inside the leotard's armhole, and is not: negative and positive.
+    pub(crate) fn raised_armhole(&self, raised: Vec3) -> f32 {
+        self.armhole(raised.truncate(), RAISED_DROP)
+    }
+
+    /// Whether a point in the bind pose is where the left armhole may be: outward of the middle of the strap, and not
+    /// far below the armpit.
+    pub(crate) fn is_beside_armhole(&self, point: Vec3) -> bool {
+        STRAP_MIDDLE * self.k < point.x && self.armpit - 0.12 * self.k < point.y
     }
 
     /// Negative inside the armhole, which is cut as seen from the front: straight down beside the
     /// strap, then a quarter of an ellipse out to the side seam, which it meets level below the
     /// armpit, where the skin hardly follows the arm.
-    fn armhole(&self, at: Vec2) -> f32 {
+    fn armhole(&self, at: Vec2, drop: f32) -> f32 {
         let k = self.k;
         let strap = STRAP_EDGE * k;
         let seam = self.armpit_x + SEAM_OUT * k;
-        let bottom = self.armpit - ARMHOLE_DROP * k;
+        let bottom = self.armpit - drop * k;
         let rise = ARMHOLE_RISE * (self.shoulder - bottom);
         let from_center = Vec2::new(seam - at.x, bottom + rise - at.y).max(Vec2::ZERO);
         let radii = Vec2::new(seam - strap, rise);
