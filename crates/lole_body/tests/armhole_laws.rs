@@ -76,8 +76,8 @@ fn the_leotard_has_smooth_edges_when_arms_are_raised() {
                 (Bone::LeftUpperArm, Bone::LeftLowerArm, 1.0),
                 (Bone::RightUpperArm, Bone::RightLowerArm, -1.0),
             ] {
-                let along = (skeleton.joint(lower) - skeleton.joint(upper)).normalize();
-                let towards = (towards * Vec3::new(side, 1.0, 1.0)).normalize();
+                let along = (skeleton.joint(lower) - skeleton.joint(upper)).normalize_or_zero();
+                let towards = (towards * Vec3::new(side, 1.0, 1.0)).normalize_or_zero();
                 pose.rotate(upper, Quat::from_rotation_arc(along, towards));
             }
             let bones = skeleton.world_from_bind(&pose);

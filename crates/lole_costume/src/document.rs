@@ -28,7 +28,9 @@ use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::{ContactEvaluation, Integrator, RungeKutta};
 use lole_cloth::wind::WindLaw;
 use lole_hula::SCHOOLS;
-use lole_hula::{AmiTurn, ArmManner, ArmStyle, DanceStep, Hands, HipLead, HipLift, School};
+use lole_hula::{
+    AmiTurn, ArmManner, ArmStyle, DanceStep, Formation, Hands, HipLead, HipLift, School,
+};
 
 use crate::fabrics::Preset;
 use lole_print::{PrintLay, PrintMotif};
@@ -399,6 +401,8 @@ pub struct PartDesign {
     pub arms: Option<ArmStyle>,
     /// Counts per minute from here on; as before when `None`.
     pub tempo_bpm: Option<f64>,
+    /// How a group stands at its end, which walks there in this part; as before when `None`. One dancer stays.
+    pub formation: Option<Formation>,
 }
 
 impl Default for PartDesign {
@@ -410,6 +414,7 @@ impl Default for PartDesign {
             facing_deg: 0.0,
             arms: None,
             tempo_bpm: None,
+            formation: None,
         }
     }
 }

@@ -6,7 +6,7 @@ use super::repertoire::DanceStep;
 use super::settings::{ArmStyle, MotionError};
 
 /// Most counts of one part.
-const MOST_COUNTS: u32 = 256;
+pub(super) const MOST_COUNTS: u32 = 256;
 /// Most the dancer turns from one part to the next [°].
 const MOST_TURN: f32 = 180.0;
 
@@ -25,6 +25,9 @@ pub struct Part {
     pub arms: Option<ArmStyle>,
     /// Tempo from here on [counts per minute], reached within two counts; as before when `None`.
     pub beats_per_minute: Option<f32>,
+    /// How far she gets in this part besides what its step does, to her left and ahead as she faces the front
+    /// [statures]: every foot lands so much farther.
+    pub travel: [f32; 2],
 }
 
 impl Part {
@@ -38,6 +41,7 @@ impl Part {
             facing_degrees: 0.0,
             arms: None,
             beats_per_minute: None,
+            travel: [0.0; 2],
         }
     }
 }
@@ -65,6 +69,7 @@ pub(super) fn check(parts: &[Part]) -> Result<(), MotionError> {
             });
         }
         facing = part.facing_degrees;
+        check_travel(number, part)?;
         let bpm = part.beats_per_minute.unwrap_or(60.0);
         if !(30.0..=240.0).contains(&bpm) {
             return Err(MotionError::OutOfRange {
@@ -76,6 +81,27 @@ pub(super) fn check(parts: &[Part]) -> Result<(), MotionError> {
         }
     }
     Ok(())
+}
+
+/// Checks that feet get where a part goes.
+fn check_travel(number: usize, part: &Part) -> Result<(), MotionError> {
+    let [left, ahead] = part.travel;
+    let way = (left * left + ahead * ahead).sqrt();
+    if way == 0.0 {
+        return Ok(());
+    }
+    let most = part.step.longest_way(part.counts);
+    if way.is_finite() && way <= most {
+        return Ok(());
+    }
+    Err(MotionError::Travel {
+        part: number,
+        step: part.step.id(),
+        counts: part.counts,
+        way,
+        most,
+        needed: part.step.counts_for(way),
+    })
 }
 
 /// One count of a dance, for whoever plays the music.

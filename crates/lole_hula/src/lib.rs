@@ -16,6 +16,7 @@ mod arms;
 mod choreography;
 mod ease;
 mod figure;
+mod formation;
 mod limbs;
 mod plan;
 mod repertoire;
@@ -29,6 +30,7 @@ mod steps;
 mod tempo;
 
 pub use choreography::{Count, Part};
+pub use formation::{Formation, assigned};
 pub use lole_body::Side;
 pub use repertoire::{DanceStep, Statement};
 pub use schools::{SCHOOLS, School};
@@ -79,6 +81,12 @@ impl Dance {
             plan,
             standing_height,
         })
+    }
+
+    /// Stature of the dancer by her legs [m], in which lengths of settings are counted.
+    #[must_use]
+    pub const fn stature(&self) -> f32 {
+        self.rig.stature()
     }
 
     /// Pose at `time` [s]: the ready stance up to 0, then the lead-in, then the dance.

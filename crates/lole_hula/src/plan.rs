@@ -75,6 +75,7 @@ impl Plan {
             segment.local_start = part.step.score().first_count - 1.0;
             segment.length = Length::Counts(part.counts as f32);
             segment.facing = part.facing_degrees;
+            segment.travel = part.travel;
             plan.add(segment);
             start += f64::from(part.counts);
         }
@@ -234,10 +235,17 @@ impl Plan {
         {
             let end_of_half = before.reading().score.half;
             let place = segment.own_first()[free].start;
+            // What it has traveled comes on top of where the step puts it.
+            let [x, z] = before.traveled(free, before.local_end());
+            let put = Foot {
+                x: place.x - x,
+                z: place.z - z,
+                ..place
+            };
             if let Some(step) = before.last_tracks()[free].moves.last_mut()
                 && (step.count - end_of_half).abs() < 1e-3
             {
-                step.foot = place;
+                step.foot = put;
                 entry.end[free] = place;
             }
         }

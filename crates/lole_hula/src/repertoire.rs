@@ -17,8 +17,14 @@ mod uwehe;
 
 use lole_language::Words;
 
-use super::score::{Basis, Fact, STILL, Score};
+use super::choreography::MOST_COUNTS;
+use super::score::{Answer, Basis, Fact, Landing, STILL, Score};
 use super::sources::{SOURCES, Source};
+
+/// How much farther a foot lands on a way than its step takes it [statures], 16 cm.
+const MOST_STRIDE: f32 = 0.10;
+/// Counts of a flight; a foot gets less far in a quicker one.
+const USUAL_FLIGHT: f32 = 0.5;
 
 macro_rules! repertoire {
     ($($(#[$doc:meta])* $variant:ident = $score:path;)*) => {
@@ -113,6 +119,58 @@ impl DanceStep {
         }
         all
     };
+
+    /// How far feet carry somebody in so many counts besides what the step does [statures]; 0 where she steps on no
+    /// foot.
+    #[must_use]
+    pub fn longest_way(self, counts: u32) -> f32 {
+        let walks = |landing: &Landing| 0.0 < landing.lift && 0.0 < landing.carry;
+        if !(self.score().feet.iter()).any(|foot| foot.landings.iter().any(walks)) {
+            return 0.0;
+        }
+        let shares = self.longest_share(0).zip(self.longest_share(1));
+        shares.map_or(0.0, |(left, right)| {
+            MOST_STRIDE * counts as f32 / left.max(right)
+        })
+    }
+
+    /// Counts in which feet carry somebody so far [statures], in whole phrases; those of a longest part where she
+    /// steps on no foot.
+    pub(super) fn counts_for(self, way: f32) -> u32 {
+        let phrases = 1..=MOST_COUNTS / self.phrase();
+        let mut counts = phrases.map(|phrases| phrases * self.phrase());
+        let enough = |counts: &u32| way <= self.longest_way(*counts);
+        counts.find(enough).unwrap_or(MOST_COUNTS)
+    }
+
+    /// How many counts of a way a foot [left, right] makes up for in one flight, at most, where a quick flight counts
+    /// for more; `None` where it never flies.
+    fn longest_share(self, foot: usize) -> Option<f32> {
+        let score = self.score();
+        let flights = |foot: usize, from: f32| {
+            let flies = |landing: &&Landing| 0.0 < landing.lift;
+            let flights = score.feet[foot].landings.iter().filter(flies);
+            flights.map(move |landing| (from + landing.count, landing.flight))
+        };
+        let (counts, flights): (f32, Vec<(f32, f32)>) = match score.answer {
+            Answer::Repeat => (score.half, flights(foot, 0.0).collect()),
+            // In the answer each foot does what the other did.
+            Answer::Mirror | Answer::MirrorBackward => (
+                2.0 * score.half,
+                flights(foot, 0.0)
+                    .chain(flights(1 - foot, score.half))
+                    .collect(),
+            ),
+        };
+        let last = flights.last().map(|(landed, _)| landed - counts);
+        let before = last
+            .into_iter()
+            .chain(flights.iter().map(|flight| flight.0));
+        let stands = flights.iter().zip(before);
+        let shares = stands
+            .map(|((landed, flight), before)| (landed - before) * (USUAL_FLIGHT / flight).max(1.0));
+        shares.reduce(f32::max)
+    }
 
     /// Name in documents and on the command line: ASCII, lower case.
     #[must_use]

@@ -118,6 +118,11 @@ impl Rig {
         0.5 * (self.legs[0].ankle + self.legs[1].ankle).z
     }
 
+    /// Stature by the legs [m].
+    pub(super) const fn stature(&self) -> f32 {
+        self.stature
+    }
+
     fn pose_facing_front(&self, figure: &Figure, standing_height: f32) -> Pose {
         let mut pose = Pose::default();
         let pelvis_turn = pelvis_turn(&figure.pelvis);

@@ -1,5 +1,6 @@
 //! One part of a dance on its place on the floor.
 
+use super::ease::{mix, ramp};
 use super::figure::{Figure, Foot, Place, turned};
 use super::repertoire::{DanceStep, STANCE};
 use super::score::{Answer, Score};
@@ -36,6 +37,8 @@ pub(super) struct Segment {
     pub place: Place,
     /// Where it faces, as the choreography says [°].
     pub facing: f32,
+    /// How far it gets besides what the step does, on the floor [statures].
+    pub travel: [f32; 2],
     /// The tracks of the written half in the axes of the step.
     written: [Track; 2],
     /// The tracks of the written half and of its answer, on the floor.
@@ -70,6 +73,7 @@ impl Segment {
             length: Length::Endless,
             place: Place::default(),
             facing: 0.0,
+            travel: [0.0; 2],
             halves: [written.clone(), written.clone()],
             written,
             first: None,
@@ -150,7 +154,12 @@ impl Segment {
                 figure
             }
         };
-        self.figure_on_floor(figure)
+        let mut figure = self.figure_on_floor(figure);
+        // The body is between its feet.
+        let [left, right] = [0, 1].map(|i| self.traveled(i, local));
+        figure.pelvis.travel += 0.5 * (left[0] + right[0]);
+        figure.pelvis.ahead += 0.5 * (left[1] + right[1]);
+        figure
     }
 
     /// The ready stance before it, without its feet.
@@ -189,6 +198,58 @@ impl Segment {
 
     /// Where the feet [left, right] stand, fly and twist on the floor at a local count.
     pub(super) fn feet(&self, local: f32) -> [Foot; 2] {
+        let mut feet = self.steps_of_feet(local);
+        for (i, foot) in feet.iter_mut().enumerate() {
+            let [x, z] = self.traveled(i, local);
+            foot.x += x;
+            foot.z += z;
+        }
+        feet
+    }
+
+    /// How far a foot has got on the way of the part, on the floor [statures]: it lands every time where the way
+    /// has come to, and flies there from where it stood.
+    pub(super) fn traveled(&self, i: usize, local: f32) -> [f32; 2] {
+        if self.travel == [0.0; 2] || !matches!(self.length, Length::Counts(_)) {
+            return [0.0; 2];
+        }
+        let half = self.score().half;
+        let lands = |step: &&Move| 0.0 < step.lift;
+        let landed = |index: f32| {
+            let step = self.tracks_of(index)[i].moves.iter().rfind(lands)?;
+            Some(index * half + step.count)
+        };
+        let landed_before = |end: f32| {
+            let halves = (0_u16..)
+                .map(f32::from)
+                .take_while(move |index| *index < end);
+            halves.filter_map(landed).last()
+        };
+        // With its last landing it has come all the way.
+        let Some(arrival) = landed_before(self.last_half() + 1.0) else {
+            return [0.0; 2];
+        };
+        let whole = (arrival - self.local_start).max(1.0);
+        let way = |local: f32| ((local - self.local_start) / whole).clamp(0.0, 1.0);
+        let at = self.in_half(local);
+        let mut share = landed_before(at.index).map_or(0.0, way);
+        for step in self.tracks_of(at.index)[i].moves.iter().filter(lands) {
+            let flight = (at.within - step.count) / step.flight + 1.0;
+            share = mix(share, way(at.index * half + step.count), ramp(flight));
+        }
+        self.travel.map(|along| along * share)
+    }
+
+    /// The tracks of a half.
+    fn tracks_of(&self, index: f32) -> &[Track; 2] {
+        match (&self.first, &self.last) {
+            (Some(tracks), _) if index <= 0.0 => tracks,
+            (_, Some(tracks)) if self.last_half() <= index => tracks,
+            _ => &self.halves[usize::from(self.answers(index))],
+        }
+    }
+
+    fn steps_of_feet(&self, local: f32) -> [Foot; 2] {
         if self.length == Length::Endless {
             return match &self.first {
                 Some(tracks) if local < 0.0 => [0, 1].map(|i: usize| tracks[i].at(local)),
@@ -200,14 +261,14 @@ impl Segment {
             };
         }
         let at = self.in_half(local);
-        match (&self.first, &self.last) {
-            (Some(tracks), _) if at.index <= 0.0 => self.twisted(tracks, at, 0.0),
-            (_, Some(tracks)) if self.last_half() <= at.index => self.twisted(tracks, at, 0.0),
-            _ => {
-                let tracks = &self.halves[usize::from(self.answers(at.index))];
-                self.twisted(tracks, at, self.turn_before(at.index))
-            }
-        }
+        let is_own = (self.first.is_some() && at.index <= 0.0)
+            || (self.last.is_some() && self.last_half() <= at.index);
+        let turn = if is_own {
+            0.0
+        } else {
+            self.turn_before(at.index)
+        };
+        self.twisted(self.tracks_of(at.index), at, turn)
     }
 
     fn in_half(&self, local: f32) -> InHalf {

@@ -209,6 +209,25 @@ pub enum MotionError {
         /// The most [°].
         most: f32,
     },
+    /// Nobody gets so far in a part.
+    #[error(
+        "part {part} is too short: in {counts} counts of {step} the feet carry her {most:.2} statures, and her way is \
+         {way:.2}; give it {needed} counts or more, or a nearer place"
+    )]
+    Travel {
+        /// Number of the part, counted from 1.
+        part: usize,
+        /// Document name of the step.
+        step: &'static str,
+        /// Counts of the part.
+        counts: u32,
+        /// The way that was asked for [statures].
+        way: f32,
+        /// The longest [statures].
+        most: f32,
+        /// Counts that it takes, in whole phrases.
+        needed: u32,
+    },
     /// Two joints that span a limb coincide or are not finite.
     #[error("the bone {bone} of the skeleton has no length; give its joints different places")]
     BoneWithoutLength {
@@ -245,6 +264,17 @@ impl Bilingual for MotionError {
             } => format!(
                 "{part} 番目の部分の向きが前から {degrees}° 変わります。一度に {most}° までにするか、\
                  回るステップを入れてください"
+            ),
+            Self::Travel {
+                part,
+                step,
+                counts,
+                way,
+                most,
+                needed,
+            } => format!(
+                "{part} 番目の部分は短すぎます。{step} の {counts} 拍で歩けるのは身長の {most:.2} 倍までで、道のりは \
+                 {way:.2} 倍です。{needed} 拍以上にするか、近い場所にしてください"
             ),
             Self::BoneWithoutLength { bone } => {
                 format!("骨格の {bone} の長さがありません。関節を別の位置に置いてください")

@@ -1,10 +1,10 @@
 //! Several dancers on one stage: everybody dances as she would alone, and they meet in the picture.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use lole_costume::document::Design;
 use lole_export::group::{GroupDancer, GroupReport};
 use lole_render::{Camera, Image, RenderError, Renderer, Scene, Size};
-use lole_stage::{Divergence, Formation, Performance, Production, StageError};
+use lole_stage::{Divergence, Formation, Performance, Production, StageError, assigned};
 use rayon::prelude::*;
 
 use crate::film::shutter::Shutter;
@@ -98,6 +98,31 @@ impl Member {
     }
 }
 
+/// How far everybody gets in every part of the choreography of the first [m]; nothing where it names no formation.
+fn ways(members: &[Member], places: &[Vec3], room: f32) -> Vec<Vec<Vec2>> {
+    let parts = members.first().map(|it| {
+        let motion = &it.performance.production().design.motion;
+        motion.parts.iter().filter(|_| motion.file.is_none())
+    });
+    let named: Vec<Option<Formation>> =
+        parts.into_iter().flatten().map(|it| it.formation).collect();
+    if named.iter().all(Option::is_none) {
+        return Vec::new();
+    }
+    let mut at = places.to_vec();
+    let mut ways = vec![Vec::new(); members.len()];
+    for formation in named {
+        let next = formation.map_or_else(|| at.clone(), |it| it.places(at.len(), room));
+        let goes = assigned(&at, &next);
+        for ((at, ways), place) in at.iter_mut().zip(&mut ways).zip(goes) {
+            let way = next[place] - *at;
+            ways.push(Vec2::new(way.x, way.z));
+            *at = next[place];
+        }
+    }
+    ways
+}
+
 /// Dancers on one stage. Its work is shared among the threads of the pool that it is called in.
 pub struct Ensemble {
     members: Vec<Member>,
@@ -106,24 +131,35 @@ pub struct Ensemble {
 }
 
 impl Ensemble {
-    /// Places everybody, from one to the next of a row by `spacing` [m], or so far that no hand reaches a neighbor.
-    #[must_use]
-    pub fn new(mut members: Vec<Member>, formation: Formation, spacing: Option<f32>) -> Self {
+    /// Places everybody, from one to the next of a row by `spacing` [m], or so far that no hand reaches a neighbor, and
+    /// sends her to the formations that the choreography names.
+    ///
+    /// # Errors
+    /// A part too short for somebody's way, with her place in the list.
+    pub fn new(
+        mut members: Vec<Member>,
+        formation: Formation,
+        spacing: Option<f32>,
+    ) -> Result<Self, (usize, StageError)> {
         let room = spacing.unwrap_or_else(|| {
             let performances = members.iter().map(|it| &it.performance);
             film::room(&performances.collect::<Vec<_>>()) + BETWEEN_HANDS
         });
         let places = formation.places(members.len(), room);
-        for (member, at) in members.iter_mut().zip(places) {
+        let ways = ways(&members, &places, room);
+        for (place, (member, at)) in members.iter_mut().zip(places).enumerate() {
             member.at = at;
+            if let Some(ways) = ways.get(place) {
+                (member.performance.walk(ways)).map_err(|error| (place, error))?;
+            }
         }
         let first = members.first().map(|it| it.performance.production());
         let blur = first.map_or_else(Default::default, |it| it.design.stage.motion_blur);
-        Self {
+        Ok(Self {
             members,
             formation,
             shutter: Shutter::new(blur),
-        }
+        })
     }
 
     /// Everybody.
@@ -202,8 +238,8 @@ impl Ensemble {
     pub fn film(&mut self, camera: Camera, renderer: &mut Renderer) -> Result<Image, RenderError> {
         self.keep();
         let seen = (&camera, renderer.size());
-        let mut image = self.shutter.expose(seen, |moments| {
-            renderer.render(&self.scene(moments, camera, Lamps::Still))
+        let mut image = self.shutter.expose(seen, |moments, lit| {
+            lit.render(renderer, &self.scene(moments, camera, Lamps::Still))
         })?;
         if let Some(first) = self.members.first() {
             let stage = &first.performance.production().design.stage;

@@ -116,11 +116,11 @@ impl PhotoStudio {
         let moment = Moment::of(performance);
         self.shutter.keep(performance.time(), vec![moment]);
         let seen = (&camera, renderer.size());
-        let mut image = self.shutter.expose(seen, |moments| {
+        let mut image = self.shutter.expose(seen, |moments, lit| {
             let dancers = moments.iter().map(|moment| (&self.looks, moment.dancer()));
             let dancers: Vec<_> = dancers.collect();
             let stage = (self.looks.scenery, Lamps::Still);
-            renderer.render(&Looks::stage(&dancers, stage, camera))
+            lit.render(renderer, &Looks::stage(&dancers, stage, camera))
         })?;
         let stage = &performance.production().design.stage;
         title::write(&mut image, &stage.title, performance.time())?;

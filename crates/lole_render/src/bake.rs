@@ -78,6 +78,24 @@ impl Bake {
     }
 }
 
+impl Bake {
+    /// The light of a scene: worked out anew, or with the light of the room as it was in a picture before.
+    pub(crate) fn lit(scene: &Scene<'_>, geometry: &Geometry, before: Option<Self>) -> Self {
+        let same = |bake: &Self| bake.ambient.len() == geometry.positions.len();
+        let Some(before) = before.filter(same) else {
+            return Self::new(scene, geometry);
+        };
+        let key_axis = unit_toward(scene.lights.key.toward);
+        let key_map = DepthMap::draw(geometry, key_axis, KEY_MAP_SIDE, Layers::Nearest);
+        let key_clear = key_map.clear_above(key_tangent(&scene.lights));
+        Self {
+            key_map,
+            key_clear,
+            ..before
+        }
+    }
+}
+
 /// Light of the surroundings on the face and on the back of each vertex of `geometry`, without the
 /// floor's shadow: what [`Bake`] holds, for pictures that cannot wait for all of it.
 pub(crate) fn ambient_alone(lights: &LightRig, geometry: &Geometry) -> Vec<[Vec3; 2]> {

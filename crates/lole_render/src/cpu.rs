@@ -12,6 +12,7 @@ mod tiles;
 use crate::bake::Bake;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
+use crate::renderer::Light;
 use crate::shade::{KeyShadow, SOFTEST_DISTANCE, Surface};
 use crate::srgb::SrgbTable;
 use crate::surroundings::Paints;
@@ -23,19 +24,23 @@ use tiles::{TILE, TileGrid};
 /// What is kept from picture to picture.
 pub(crate) struct CpuRenderer {
     srgb: SrgbTable,
+    /// The light of the picture before.
+    bake: Option<Bake>,
 }
 
 impl CpuRenderer {
     pub(crate) fn new() -> Self {
         Self {
             srgb: SrgbTable::new(),
+            bake: None,
         }
     }
 
     /// Draws a checked scene.
-    pub(crate) fn render(&self, scene: &Scene<'_>, size: Size) -> Image {
+    pub(crate) fn render(&mut self, scene: &Scene<'_>, size: Size, light: Light) -> Image {
         let geometry = Geometry::of(scene);
-        let bake = Bake::new(scene, &geometry);
+        let before = self.bake.take().filter(|_| light == Light::AsBefore);
+        let bake = Bake::lit(scene, &geometry, before);
         let frame = Frame::new(scene, size, &bake);
         let corners = raster::screen_corners(&geometry, &frame);
         let grid = TileGrid::new(size, &geometry, &corners);
@@ -65,7 +70,9 @@ impl CpuRenderer {
                 resolve::tile_pixels(&picture, &grid, tile, &samples)
             })
             .collect();
-        assemble(size, &grid, &tiles)
+        let image = assemble(size, &grid, &tiles);
+        self.bake = Some(bake);
+        image
     }
 }
 

@@ -17,6 +17,15 @@ pub enum Backend {
     Cpu,
 }
 
+/// Where the light of the room comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Light {
+    /// It is worked out.
+    Anew,
+    /// It is that of the picture before.
+    AsBefore,
+}
+
 /// Draws scenes as pictures of one size.
 pub struct Renderer {
     size: Size,
@@ -92,10 +101,24 @@ impl Renderer {
     /// Where the scene holds a number that is not finite, an index out of range or a camera that
     /// cannot look, naming the place; where the graphics adapter fails.
     pub fn render(&mut self, scene: &Scene<'_>) -> Result<Image, RenderError> {
+        self.lit(scene, Light::Anew)
+    }
+
+    /// The picture of a scene whose meshes have moved by little since the picture before, as while a shutter is open:
+    /// their vertices and the floor keep the light of the room from it, which is half of the work. Shadows of the key
+    /// light follow. Where the number of vertices is another one, all of the light is worked out anew.
+    ///
+    /// # Errors
+    /// As [`Self::render`].
+    pub fn render_moved(&mut self, scene: &Scene<'_>) -> Result<Image, RenderError> {
+        self.lit(scene, Light::AsBefore)
+    }
+
+    fn lit(&mut self, scene: &Scene<'_>, light: Light) -> Result<Image, RenderError> {
         scene.check()?;
         match &mut self.drawer {
-            Drawer::Cpu(cpu) => Ok(cpu.render(scene, self.size)),
-            Drawer::Gpu(gpu) => gpu.render(scene),
+            Drawer::Cpu(cpu) => Ok(cpu.render(scene, self.size, light)),
+            Drawer::Gpu(gpu) => gpu.render(scene, light),
         }
     }
 }

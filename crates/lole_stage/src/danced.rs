@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use glam::Vec2;
 use lole_avatar::{AvatarError, ReadDance, read_clip};
 use lole_body::{Dancer, Pose};
 use lole_costume::document::{Design, MotionDrift, MotionRepeat};
@@ -57,6 +58,21 @@ impl Danced {
             clip = clip.clear_of_skirt(dancer);
         }
         Ok(Self::Recording(Arc::new(clip)))
+    }
+
+    /// The same steps of a design's choreography on its dancer, who in every part gets so much farther [m], to her
+    /// left and ahead as she faces the front.
+    ///
+    /// # Errors
+    /// A way that the feet do not carry her in a part.
+    pub fn walking(design: &Design, dancer: &Dancer, ways: &[Vec2]) -> Result<Self, StageError> {
+        let mut settings = design.motion_settings();
+        let stature = Dance::new(&dancer.skeleton, &settings)?.stature();
+        for (part, way) in settings.parts.iter_mut().zip(ways) {
+            part.travel = (*way / stature).to_array();
+        }
+        let dance = Dance::new(&dancer.skeleton, &settings)?;
+        Ok(Self::Step(Box::new(dance)))
     }
 
     /// Pose at `time` [s]; the first one up to 0.

@@ -8,7 +8,6 @@ pub mod danced;
 mod double_pau;
 #[cfg(test)]
 mod extremes;
-mod formation;
 mod hold;
 pub mod live;
 pub mod machine;
@@ -26,10 +25,10 @@ mod yielding;
 pub use adorned::Adornment;
 pub use danced::Danced;
 pub use double_pau::double_pau;
-pub use formation::Formation;
 pub use hold::{ElasticHold, HoldWatch, OFF};
 pub use live::{Pull, Show, Vitals, Wish};
 pub use lole_garment::dress::Division;
+pub use lole_hula::{Formation, assigned};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{
     Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, GarmentLayers, LayerWatch, NoRoom,

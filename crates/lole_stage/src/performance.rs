@@ -22,7 +22,7 @@ pub use no_room::{NoRoom, no_room_now};
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::{Affine3A, Vec3};
+use glam::{Affine3A, Vec2, Vec3};
 use lole_body::{BodyCapsule, Bone, Pose, Swing};
 use lole_cloth::awake::keep_awake;
 use lole_cloth::collision::layer::Press;
@@ -34,6 +34,7 @@ use lole_costume::document::{BodyShapes, Design, GarmentLayer};
 use lole_geom::{Capsule, Surfel};
 
 use crate::StageError;
+use crate::danced::Danced;
 use crate::production::{DressedGarment, Garment, Production};
 use crate::solver::{self, Observer, Solver, Surroundings};
 use adornment::{Adorned, AroundStrands};
@@ -213,6 +214,16 @@ impl Performance {
         self.frame += 1;
         let pose = self.pose_of_dance();
         keep_awake(|| self.step_in(pose, None))
+    }
+
+    /// Lets her walk in the parts of her choreography, as [`Danced::walking`] has it; to be said before she dances.
+    ///
+    /// # Errors
+    /// A way that the feet do not carry her in a part.
+    pub fn walk(&mut self, ways: &[Vec2]) -> Result<(), StageError> {
+        let danced = Danced::walking(&self.production.design, &self.production.dancer, ways)?;
+        Arc::make_mut(&mut self.production).dance = danced;
+        Ok(())
     }
 
     /// The same, bit for bit, and `passed` is called whenever a [`Phase`] of the real-time method

@@ -68,7 +68,13 @@ pub(super) fn run(
     };
     let (formation, spacing) = (args.group.formation, args.group.spacing);
     let paths = pool.install(|| {
-        let mut group = Ensemble::new(members, formation, spacing);
+        let names: Vec<String> = members.iter().map(|it| it.name().to_owned()).collect();
+        let mut group = Ensemble::new(members, formation, spacing).map_err(|(place, error)| {
+            source.located(
+                place_of(&error),
+                named(&names[place], &Sentence::of(&error)),
+            )
+        })?;
         let taken = run.film(&mut group, song, &folder)?;
         run.write(&group, taken, folder)
     })?;

@@ -20,8 +20,10 @@ pub(super) fn cut(half: &mut Half, shape: &Shape, skeleton: &Skeleton) {
     let [shoulder, elbow] =
         [Bone::LeftUpperArm, Bone::LeftLowerArm].map(|bone| skeleton.joint(bone));
     let mut pose = Pose::default();
-    let raised =
-        Quat::from_rotation_arc((elbow - shoulder).normalize_or_zero(), RAISED.normalize());
+    let raised = Quat::from_rotation_arc(
+        (elbow - shoulder).normalize_or_zero(),
+        RAISED.normalize_or_zero(),
+    );
     pose.rotate(Bone::LeftUpperArm, raised);
     let world_from_bind = skeleton.world_from_bind(&pose);
     let values: Vec<f32> = (half.positions.iter().zip(&half.rows))

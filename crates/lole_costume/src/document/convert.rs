@@ -6,7 +6,7 @@ use lole_cloth::{Crossings, Fabric};
 use lole_garment::given;
 use lole_geom::Length;
 use lole_geom::narrow;
-use lole_hula::{MotionSettings, Part, School};
+use lole_hula::{DanceStep, MotionSettings, Part, School};
 use lole_language::{Bilingual, Sentence, repeated};
 
 use super::{
@@ -85,6 +85,11 @@ impl Design {
         Measurements::from_tape(&self.tape()).map_err(|error| ("dancer", together(&error)))?;
         self.check_avatar().map_err(|problem| ("dancer", problem))?;
         (self.motion_settings().check()).map_err(|error| ("motion", together(&error)))?;
+        let stays = (1..).zip(&self.motion.parts);
+        let stays = stays.filter_map(|(number, part)| part.cannot_walk(number));
+        if let Some(sentence) = stays.into_iter().next() {
+            return Err(("motion", Box::new(Problem::Together { sentence })));
+        }
         self.check_prints()?;
         self.check_files()
             .map_err(|problem| (schema::LIST, problem))?;
@@ -364,7 +369,30 @@ impl PartDesign {
             facing_degrees: narrow(self.facing_deg),
             arms: self.arms,
             beats_per_minute: self.tempo_bpm.map(narrow),
+            travel: [0.0; 2],
         }
+    }
+
+    /// What is wrong where a group is to walk in a step that stays.
+    pub(super) fn cannot_walk(&self, number: usize) -> Option<Sentence> {
+        let walks = |step: &DanceStep| 0.0 < step.longest_way(self.beat_count);
+        if self.formation.is_none() || walks(&self.step) {
+            return None;
+        }
+        let walking = DanceStep::ALL.into_iter().filter(walks);
+        let (step, walking) = (
+            self.step.id(),
+            walking.map(DanceStep::id).collect::<Vec<_>>(),
+        );
+        let walking = walking.join(", ");
+        Some(Sentence::new(
+            format!(
+                "{number} 番目の部分は {step} で、その場から動きません。formation は歩くステップの部分に書いてください（{walking}）"
+            ),
+            format!(
+                "part {number} dances {step}, in which nobody gets anywhere; write formation in a part whose step walks ({walking})"
+            ),
+        ))
     }
 }
 

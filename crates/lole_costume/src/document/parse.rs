@@ -258,6 +258,12 @@ impl Reader<'_> {
             for &entry in &entries {
                 self.read_key((schema::PART_KEYS, &place), entry, &mut part)?;
             }
+            if let Some(sentence) = part.cannot_walk(number) {
+                let named = (entries.iter()).find(|(name, _)| name.get_ref() == "formation");
+                let at = named.map_or(0, |(name, _)| name.span().start);
+                let problem = Problem::Together { sentence };
+                return Err(self.error(at, part_place(number, "formation"), problem));
+            }
             design.motion.parts.push(part);
             design.motion_settings().check().map_err(|error| {
                 let start = |key: &str| {

@@ -77,6 +77,14 @@ beat_count = 8
 `beat_count` is a multiple of the step's phrase, `side` says which foot begins (for ʻami, which way round), and `facing_deg` turns her to her left of the front.
 `arms` may be `of-step`, `open`, `hands-on-hips`, `ready`, `open-up`, `low-front` or `rounded`.
 A new tempo is reached within two counts.
+
+部分に `formation`（`rows`・`line`・`wedge`・`circle`）を書くと、名簿の全員の動画で、その部分のあいだに皆がその隊形へ歩いて移ります。
+足の運びはステップのまま、一歩ずつが少し長くなります。
+その場のステップ（`ami` など）では移れず、道のりに拍数が足りないときは、何拍要るかを言って断ります。
+
+With `formation` (`rows`, `line`, `wedge`, `circle`) in a part, everybody of a list walks to it while the part is danced.
+Her feet do the step, and every landing is a little farther.
+Steps that stay in place, such as `ami`, take nobody anywhere, and a way too long for the counts of a part is refused with the counts that it takes.
 ";
 
 fn main() -> io::Result<()> {

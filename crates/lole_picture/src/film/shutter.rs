@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use glam::Vec3;
 use lole_costume::document::MotionBlur;
-use lole_render::{Camera, Exposure, Image, RenderError, Size};
+use lole_render::{Camera, Exposure, Image, RenderError, Renderer, Scene, Size};
 use lole_stage::Vertices;
 use rayon::prelude::*;
 
@@ -18,6 +18,29 @@ const STEP: f32 = 1.5;
 const MOST_PICTURES: u16 = 16;
 /// Times that differ by less are the same [s].
 const SAME_TIME: f32 = 1.0e-4;
+
+/// How one of several pictures of which one is made is lit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Lit {
+    /// By itself.
+    Anew,
+    /// As the one before.
+    AsBefore,
+}
+
+impl Lit {
+    /// Draws a scene so.
+    pub(crate) fn render(
+        self,
+        renderer: &mut Renderer,
+        scene: &Scene<'_>,
+    ) -> Result<Image, RenderError> {
+        match self {
+            Self::Anew => renderer.render(scene),
+            Self::AsBefore => renderer.render_moved(scene),
+        }
+    }
+}
 
 /// Keeps the moments that lie as far back as the shutter is open; of several dancers, each of them in her order.
 pub(crate) struct Shutter {
@@ -50,23 +73,29 @@ impl Shutter {
         }
     }
 
-    /// The picture of the moment that was kept last, in all that the shutter saw before it; `draw` draws moments.
+    /// The picture of the moment that was kept last, in all that the shutter saw before it; `draw` draws moments, of
+    /// which all but the first are lit as the one before.
     pub(crate) fn expose(
         &self,
         (camera, size): (&Camera, Size),
-        mut draw: impl FnMut(&[Moment]) -> Result<Image, RenderError>,
+        mut draw: impl FnMut(&[Moment], Lit) -> Result<Image, RenderError>,
     ) -> Result<Image, RenderError> {
         let Some((now, last)) = self.kept.back() else {
-            return draw(&[]);
+            return draw(&[], Lit::Anew);
         };
         let count = self.picture_count(camera, size);
         if count == 1 {
-            return draw(last);
+            return draw(last, Lit::Anew);
         }
         let mut exposure = Exposure::new(size);
         for number in 0..count {
             let share = (f32::from(number) + 0.5) / f32::from(count);
-            exposure.add(&draw(&self.at(now - self.open * (1.0 - share)))?);
+            let lit = if number == 0 {
+                Lit::Anew
+            } else {
+                Lit::AsBefore
+            };
+            exposure.add(&draw(&self.at(now - self.open * (1.0 - share)), lit)?);
         }
         Ok(exposure.develop())
     }
@@ -148,7 +177,7 @@ mod tests {
             shutter.keep(time, moment(speed * time));
         }
         let mut places = Vec::new();
-        let image = shutter.expose((&camera(), SIZE), |moments| {
+        let image = shutter.expose((&camera(), SIZE), |moments, _| {
             places.push(moments[0].body[0][0].x);
             Ok(Image::filled(SIZE, [80, 90, 100]))
         });

@@ -6,6 +6,7 @@ use super::pipeline::{COLOR, DEPTH, Pipelines, SAMPLES, Vertex};
 use crate::bake::{Bake, GROUND_CELLS};
 use crate::frame::Frame;
 use crate::prepare::Geometry;
+use crate::renderer::Light;
 use crate::shade::Surface;
 use crate::{Image, RenderError, Scene, Size, Texture};
 use std::sync::Arc;
@@ -21,6 +22,8 @@ pub(crate) struct GpuRenderer {
     blank: wgpu::TextureView,
     /// Textures that the last picture used, with their copies on the adapter.
     uploaded: Vec<(Arc<Texture>, wgpu::TextureView)>,
+    /// The light of the picture before.
+    bake: Option<Bake>,
 }
 
 /// What is drawn into.
@@ -61,6 +64,7 @@ impl GpuRenderer {
             paints,
             blank,
             uploaded: Vec::new(),
+            bake: None,
         })
     }
 
@@ -91,9 +95,10 @@ impl GpuRenderer {
     ///
     /// # Errors
     /// [`RenderError::Gpu`] where the adapter fails.
-    pub(crate) fn render(&mut self, scene: &Scene<'_>) -> Result<Image, RenderError> {
+    pub(crate) fn render(&mut self, scene: &Scene<'_>, light: Light) -> Result<Image, RenderError> {
         let geometry = Geometry::of(scene);
-        let bake = Bake::new(scene, &geometry);
+        let before = self.bake.take().filter(|_| light == Light::AsBefore);
+        let bake = Bake::lit(scene, &geometry, before);
         let frame = Frame::new(scene, self.targets.size, &bake);
         let scope = self
             .gpu
@@ -102,6 +107,7 @@ impl GpuRenderer {
         self.upload_textures(scene);
         self.paints.upload(&self.gpu, &scene.background);
         self.draw(scene, &geometry, &bake, &frame);
+        self.bake = Some(bake);
         checked(scope, "drawing")?;
         self.read_back()
     }

@@ -3,8 +3,9 @@
 use eframe::egui::{self, ComboBox, RichText, Ui};
 use lole_body::Side;
 use lole_costume::document::PartDesign;
+use lole_hula::Formation;
 
-use super::knob::{self, wide_button};
+use super::knob::{self, DropDown, wide_button};
 use super::steps::StepList;
 use super::{dance, hindrance};
 use crate::{Studio, look, text};
@@ -101,6 +102,8 @@ fn part_ui(ui: &mut Ui, studio: &Studio, parts: &[PartDesign], index: usize) -> 
         if let Some(step) = list.show(ui, studio, part.step) {
             changed.step = step;
             changed.beat_count = whole_phrases(part.beat_count, step.phrase());
+            // Nobody walks anywhere in a step that stays.
+            changed.formation = changed.formation.filter(|_| walks(&changed));
         }
         let name = |words| format!("{number} {}", studio.say(words));
         if sign_button(ui, ("⬆", &name(text::MOVE_UP), 0 < index)) {
@@ -119,6 +122,10 @@ fn part_ui(ui: &mut Ui, studio: &Studio, parts: &[PartDesign], index: usize) -> 
         side_ui(ui, studio, number, &mut changed);
         facing_ui(ui, studio, number, &mut changed);
     });
+    // One dancer alone stays in her place.
+    if studio.order.list.is_some() && walks(&changed) {
+        formation_ui(ui, studio, number, &mut changed);
+    }
     edit.or_else(|| (changed != part).then_some(Edit::Change(index, changed)))
 }
 
@@ -183,6 +190,28 @@ fn facing_ui(ui: &mut Ui, studio: &Studio, number: usize, part: &mut PartDesign)
         info
     });
     part.facing_deg = facing;
+}
+
+/// Whether a group gets anywhere in a part.
+fn walks(part: &PartDesign) -> bool {
+    0.0 < part.step.longest_way(part.beat_count)
+}
+
+/// Where a group of the list walks in a part.
+fn formation_ui(ui: &mut Ui, studio: &Studio, number: usize, part: &mut PartDesign) {
+    let choices = std::iter::once((None, text::FORMATION_STAYS))
+        .chain(Formation::ALL.map(|formation| (Some(formation), formation.name())));
+    let choices: Vec<(Option<Formation>, String)> = choices
+        .map(|(formation, name)| (formation, studio.say(name).to_owned()))
+        .collect();
+    let name = format!("{number} {}", studio.say(text::FORMATION_OF_PART));
+    let list = DropDown {
+        salt: &name,
+        name: &name,
+    };
+    if let Some(formation) = list.show(ui, part.formation, &choices) {
+        part.formation = formation;
+    }
 }
 
 /// Whether two directions are one, whole turns apart.

@@ -2,7 +2,9 @@
 
 use lole_body::Side;
 use lole_hula::SCHOOLS;
-use lole_hula::{AmiTurn, ArmManner, ArmStyle, DanceStep, Hands, HipLead, HipLift, School};
+use lole_hula::{
+    AmiTurn, ArmManner, ArmStyle, DanceStep, Formation, Hands, HipLead, HipLift, School,
+};
 use lole_language::{Words, words};
 
 use super::{Key, Kind, Table};
@@ -59,6 +61,13 @@ const ARMS_OF_PART: &[(&str, Option<ArmStyle>)] = &[
     ("open-up", Some(ArmStyle::OpenUp)),
     ("low-front", Some(ArmStyle::LowFront)),
     ("rounded", Some(ArmStyle::Rounded)),
+];
+const FORMATIONS: &[(&str, Option<Formation>)] = &[
+    ("as-before", None),
+    (Formation::Rows.id(), Some(Formation::Rows)),
+    (Formation::Line.id(), Some(Formation::Line)),
+    (Formation::Wedge.id(), Some(Formation::Wedge)),
+    (Formation::Circle.id(), Some(Formation::Circle)),
 ];
 const ARM_MANNERS: &[(&str, ArmManner)] =
     &[("curved", ArmManner::Curved), ("crisp", ArmManner::Crisp)];
@@ -304,5 +313,13 @@ pub const PART_KEYS: &[Key<PartDesign>] = &[
         tempo_bpm,
         "ここからの1分間の拍数。書かなければそのまま",
         "counts per minute from here on; left out: as before"
+    ),
+    choice!(
+        "formation",
+        words("隊形", "formation"),
+        FORMATIONS,
+        formation,
+        "この部分のあいだにグループが歩いて移る隊形。ひとりで踊るときは動かない",
+        "the formation that a group walks to in this part; one dancer stays"
     ),
 ];

@@ -61,7 +61,9 @@ pub(crate) fn group_film(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade
         let member = Member::new(&dancer.name, &design);
         members.push(member.map_err(|error| refused(&dancer.name, &error))?);
     }
-    let mut group = Ensemble::new(members, *formation, None);
+    let group = Ensemble::new(members, *formation, None);
+    let mut group = group
+        .map_err(|(place, error)| refused(&list.dancers[place].name, &MemberError::Stage(error)))?;
     let renderer = Renderer::new(Backend::Auto, FILM_SIZE);
     let mut renderer = renderer.map_err(|error| Unmade::of(&error))?;
     let size = [FILM_SIZE.width, FILM_SIZE.height];

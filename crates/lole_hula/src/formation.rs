@@ -84,6 +84,31 @@ impl Formation {
     }
 }
 
+/// Who goes to which place of a new formation: for each old place the number of a new one, so that all ways together
+/// are short (by their squares) and no two of them cross.
+///
+/// Who changes places with whom is tried until no pair gains by it. Shortest sums of squares keep those who walk at
+/// the same time apart (Turpin, Michael and Kumar 2014, doi 10.1007/s10514-014-9412-1).
+#[must_use]
+pub fn assigned(from: &[Vec3], to: &[Vec3]) -> Vec<usize> {
+    let mut goes: Vec<usize> = (0..from.len().min(to.len())).collect();
+    let cost = |one: usize, place: usize| from[one].distance_squared(to[place]);
+    let mut changed = true;
+    while changed {
+        changed = false;
+        for one in 0..goes.len() {
+            for other in one + 1..goes.len() {
+                let [a, b] = [goes[one], goes[other]];
+                if cost(one, b) + cost(other, a) + 1.0e-6 < cost(one, a) + cost(other, b) {
+                    goes.swap(one, other);
+                    changed = true;
+                }
+            }
+        }
+    }
+    goes
+}
+
 /// Widths of rows from the front, the wider ones behind.
 fn rows(count: usize) -> Vec<usize> {
     let mut depth = 1;
@@ -189,6 +214,36 @@ mod tests {
             let aside = pairs(&places).map(|(one, other)| (one.x - other.x).abs());
             let aside = aside.fold(f32::INFINITY, f32::min);
             assert!(0.8 < aside, "{count}: {aside} m");
+        }
+    }
+
+    /// The nearest that two come who all walk at the same time from one formation to another [m].
+    fn nearest_on_the_way(from: &[Vec3], to: &[Vec3], goes: &[usize]) -> f32 {
+        let shares = (0..=20_u8).map(|step| f32::from(step) / 20.0);
+        let nearest = shares.map(|share| {
+            let now = from.iter().zip(goes);
+            let now: Vec<Vec3> = now.map(|(at, &place)| at.lerp(to[place], share)).collect();
+            let apart = pairs(&now).map(|(one, other)| one.distance(other));
+            apart.fold(f32::INFINITY, f32::min)
+        });
+        nearest.fold(f32::INFINITY, f32::min)
+    }
+
+    #[test]
+    fn everybody_finds_a_place_of_her_own_and_meets_nobody_on_the_way() {
+        let formations = Formation::ALL.iter();
+        for (from, to) in
+            formations.flat_map(|from| Formation::ALL.iter().map(move |to| (from, to)))
+        {
+            for count in 1..=24 {
+                let [from, to] = [from, to].map(|it| it.places(count, 1.5));
+                let goes = assigned(&from, &to);
+                let mut taken = goes.clone();
+                taken.sort_unstable();
+                assert_eq!(taken, (0..count).collect::<Vec<usize>>());
+                let nearest = nearest_on_the_way(&from, &to, &goes);
+                assert!(0.6 < nearest, "{count}: {nearest} m");
+            }
         }
     }
 
