@@ -403,6 +403,8 @@ pub struct PartDesign {
     pub tempo_bpm: Option<f64>,
     /// How a group stands at its end, which walks there in this part; as before when `None`. One dancer stays.
     pub formation: Option<Formation>,
+    /// What the lamps of a theater say from here on; as before when `None`.
+    pub mood: Option<StageMood>,
 }
 
 impl Default for PartDesign {
@@ -415,6 +417,7 @@ impl Default for PartDesign {
             arms: None,
             tempo_bpm: None,
             formation: None,
+            mood: None,
         }
     }
 }

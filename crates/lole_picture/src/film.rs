@@ -1,5 +1,6 @@
 //! Where the film's camera stands: as near as the whole dance allows.
 
+pub(crate) mod cues;
 mod shots;
 pub(crate) mod shutter;
 pub mod title;

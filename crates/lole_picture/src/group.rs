@@ -7,6 +7,7 @@ use lole_render::{Camera, Image, RenderError, Renderer, Scene, Size};
 use lole_stage::{Divergence, Formation, Performance, Production, StageError, assigned};
 use rayon::prelude::*;
 
+use crate::film::cues::{Cues, lit};
 use crate::film::shutter::Shutter;
 use crate::film::{self, FilmCamera, Placed, title};
 use crate::studio::{PhotoStudio, cameras_around};
@@ -238,9 +239,23 @@ impl Ensemble {
     pub fn film(&mut self, camera: Camera, renderer: &mut Renderer) -> Result<Image, RenderError> {
         self.keep();
         let seen = (&camera, renderer.size());
-        let mut image = self.shutter.expose(seen, |moments, lit| {
-            lit.render(renderer, &self.scene(moments, camera, Lamps::Still))
-        })?;
+        let size = renderer.size();
+        let first = self.members.first().map(|it| &it.performance);
+        let mut film = |scenery| {
+            self.shutter.expose(seen, |moments, room| {
+                room.render(
+                    renderer,
+                    &self.scene(moments, camera, (scenery, Lamps::Still)),
+                )
+            })
+        };
+        let mut image = match first {
+            Some(first) => {
+                let cues = Cues::of(first.production());
+                lit((&cues, first.time()), size, film)?
+            }
+            None => film(Scenery::default())?,
+        };
         if let Some(first) = self.members.first() {
             let stage = &first.performance.production().design.stage;
             title::write(&mut image, &stage.title, first.performance.time())?;
@@ -260,7 +275,9 @@ impl Ensemble {
         let members = self.members.par_iter();
         let moments = members.map(|it| Moment::photographed(&it.performance).moved(it.at));
         let moments: Vec<Moment> = moments.collect();
-        renderer.render(&self.scene(&moments, camera, Lamps::WithCamera))
+        let first = self.members.first().map(|it| it.studio.looks().scenery);
+        let stage = (first.unwrap_or_default(), Lamps::WithCamera);
+        renderer.render(&self.scene(&moments, camera, stage))
     }
 
     /// Lets the shutter see everybody as she is posed.
@@ -275,14 +292,17 @@ impl Ensemble {
     }
 
     /// What is seen of moments of everybody.
-    fn scene<'a>(&'a self, moments: &'a [Moment], camera: Camera, lamps: Lamps) -> Scene<'a> {
+    fn scene<'a>(
+        &'a self,
+        moments: &'a [Moment],
+        camera: Camera,
+        stage: (Scenery, Lamps),
+    ) -> Scene<'a> {
         let dancers = self.members.iter().zip(moments);
         let dancers: Vec<_> = dancers
             .map(|(it, moment)| (it.studio.looks(), moment.dancer()))
             .collect();
-        let first = dancers.first();
-        let set = first.map_or_else(Scenery::default, |(looks, _)| looks.scenery);
-        Looks::stage(&dancers, (set, lamps), camera)
+        Looks::stage(&dancers, stage, camera)
     }
 
     /// Who stands where, and how her costume danced.

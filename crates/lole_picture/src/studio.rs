@@ -4,6 +4,7 @@ use glam::Vec3;
 use lole_render::{Camera, Image, RenderError, Renderer, Size, View};
 use lole_stage::Performance;
 
+use crate::film::cues::{Cues, lit};
 use crate::film::shutter::Shutter;
 use crate::film::title;
 use crate::{Cover, Lamps, LookError, Looks, Moment};
@@ -12,6 +13,7 @@ use crate::{Cover, Lamps, LookError, Looks, Moment};
 pub struct PhotoStudio {
     looks: Looks,
     shutter: Shutter,
+    cues: Cues,
 }
 
 /// One named still.
@@ -64,6 +66,7 @@ impl PhotoStudio {
         Ok(Self {
             looks: Looks::new(&production.design, production)?,
             shutter: Shutter::new(production.design.stage.motion_blur),
+            cues: Cues::of(production),
         })
     }
 
@@ -116,11 +119,14 @@ impl PhotoStudio {
         let moment = Moment::of(performance);
         self.shutter.keep(performance.time(), vec![moment]);
         let seen = (&camera, renderer.size());
-        let mut image = self.shutter.expose(seen, |moments, lit| {
-            let dancers = moments.iter().map(|moment| (&self.looks, moment.dancer()));
-            let dancers: Vec<_> = dancers.collect();
-            let stage = (self.looks.scenery, Lamps::Still);
-            lit.render(renderer, &Looks::stage(&dancers, stage, camera))
+        let size = renderer.size();
+        let mut image = lit((&self.cues, performance.time()), size, |scenery| {
+            self.shutter.expose(seen, |moments, room| {
+                let dancers = moments.iter().map(|moment| (&self.looks, moment.dancer()));
+                let dancers: Vec<_> = dancers.collect();
+                let stage = (scenery, Lamps::Still);
+                room.render(renderer, &Looks::stage(&dancers, stage, camera))
+            })
         })?;
         let stage = &performance.production().design.stage;
         title::write(&mut image, &stage.title, performance.time())?;

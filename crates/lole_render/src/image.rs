@@ -96,13 +96,14 @@ impl Image {
     }
 }
 
-/// Light that falls on one film from several pictures of the same size, each for as long as the others.
+/// Light that falls on one film from several pictures of the same size.
 pub struct Exposure {
     srgb: SrgbTable,
     size: Size,
     /// Sum of the linear light, by pixel.
     light: Vec<Vec3>,
-    count: f32,
+    /// How long it has fallen, in all.
+    time: f32,
 }
 
 impl Exposure {
@@ -113,23 +114,29 @@ impl Exposure {
             srgb: SrgbTable::new(),
             size,
             light: vec![Vec3::ZERO; size.pixel_count()],
-            count: 0.0,
+            time: 0.0,
         }
     }
 
-    /// Lets it see a picture of its size; what of another lies outside is not seen.
-    pub fn add(&mut self, picture: &Image) {
+    /// Lets it see a picture of its size for so long; what of another lies outside is not seen.
+    pub fn add(&mut self, picture: &Image, time: f32) {
         let srgb = &self.srgb;
         let pixels = picture.pixels.par_chunks_exact(4);
         let seen = self.light.par_iter_mut().zip(pixels);
-        seen.for_each(|(light, pixel)| *light += srgb.decode([pixel[0], pixel[1], pixel[2]]));
-        self.count += 1.0;
+        seen.for_each(|(light, pixel)| {
+            *light += time * srgb.decode([pixel[0], pixel[1], pixel[2]]);
+        });
+        self.time += time;
     }
 
     /// The mean of what it has seen; black if that was nothing.
     #[must_use]
     pub fn develop(self) -> Image {
-        let share = 1.0 / self.count.max(1.0);
+        let share = if 0.0 < self.time {
+            1.0 / self.time
+        } else {
+            0.0
+        };
         let srgb = &self.srgb;
         let pixels = self.light.par_iter().flat_map_iter(|light| {
             let [red, green, blue] = srgb.encode(*light * share);

@@ -73,6 +73,7 @@ pub(crate) const FORMATION: Words = words("並び方", "How they stand");
 pub(crate) const TITLE: Words = words("動画の題名", "Title of the film");
 pub(crate) const TITLE_HINT: Words = words("なくてもかまいません", "may be left empty");
 pub(crate) const MOTION_BLUR: Words = words("動きのぼけ", "Motion blur of the film");
+pub(crate) const MOOD_STAYS: Words = words("照明はそのまま", "lamps as before");
 pub(crate) const MOOD: Words = words("照明の気分", "Mood of the lamps");
 pub(crate) const HAIR: Words = words("髪型", "Hair");
 pub(crate) const MAKEUP: Words = words("化粧", "Makeup");

@@ -95,7 +95,7 @@ impl Shutter {
             } else {
                 Lit::AsBefore
             };
-            exposure.add(&draw(&self.at(now - self.open * (1.0 - share)), lit)?);
+            exposure.add(&draw(&self.at(now - self.open * (1.0 - share)), lit)?, 1.0);
         }
         Ok(exposure.develop())
     }
@@ -213,8 +213,8 @@ mod tests {
     #[test]
     fn light_is_added_and_not_its_bytes() {
         let mut exposure = Exposure::new(SIZE);
-        exposure.add(&Image::filled(SIZE, [0, 0, 0]));
-        exposure.add(&Image::filled(SIZE, [255, 255, 255]));
+        exposure.add(&Image::filled(SIZE, [0, 0, 0]), 1.0);
+        exposure.add(&Image::filled(SIZE, [255, 255, 255]), 1.0);
         // Half the light of white, by the curve of IEC 61966-2-1.
         assert_eq!(exposure.develop().pixel(3, 4), Some([188, 188, 188, 255]));
     }

@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, ComboBox, RichText, Ui};
 use lole_body::Side;
-use lole_costume::document::PartDesign;
+use lole_costume::document::{PartDesign, StageMood, StageSet};
 use lole_hula::Formation;
 
 use super::knob::{self, DropDown, wide_button};
@@ -122,6 +122,9 @@ fn part_ui(ui: &mut Ui, studio: &Studio, parts: &[PartDesign], index: usize) -> 
         side_ui(ui, studio, number, &mut changed);
         facing_ui(ui, studio, number, &mut changed);
     });
+    if studio.design().stage.set == StageSet::Theater {
+        mood_ui(ui, studio, number, &mut changed);
+    }
     // One dancer alone stays in her place.
     if studio.order.list.is_some() && walks(&changed) {
         formation_ui(ui, studio, number, &mut changed);
@@ -211,6 +214,23 @@ fn formation_ui(ui: &mut Ui, studio: &Studio, number: usize, part: &mut PartDesi
     };
     if let Some(formation) = list.show(ui, part.formation, &choices) {
         part.formation = formation;
+    }
+}
+
+/// What the lamps of a theater say in a part.
+fn mood_ui(ui: &mut Ui, studio: &Studio, number: usize, part: &mut PartDesign) {
+    let choices = std::iter::once((None, text::MOOD_STAYS))
+        .chain(StageMood::ALL.map(|mood| (Some(mood), mood.name())));
+    let choices: Vec<(Option<StageMood>, String)> = choices
+        .map(|(mood, name)| (mood, studio.say(name).to_owned()))
+        .collect();
+    let name = format!("{number} {}", studio.say(text::MOOD));
+    let list = DropDown {
+        salt: &name,
+        name: &name,
+    };
+    if let Some(mood) = list.show(ui, part.mood, &choices) {
+        part.mood = mood;
     }
 }
 

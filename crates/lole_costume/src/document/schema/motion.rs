@@ -8,7 +8,7 @@ use lole_hula::{
 use lole_language::{Words, words};
 
 use super::{Key, Kind, Table};
-use crate::document::{LinkedFile, MotionDrift, MotionRepeat, PartDesign};
+use crate::document::{LinkedFile, MotionDrift, MotionRepeat, PartDesign, StageMood};
 
 /// Name of the list of parts in `[motion]`.
 pub const MOTION_PARTS: &str = "part";
@@ -68,6 +68,13 @@ const FORMATIONS: &[(&str, Option<Formation>)] = &[
     (Formation::Line.id(), Some(Formation::Line)),
     (Formation::Wedge.id(), Some(Formation::Wedge)),
     (Formation::Circle.id(), Some(Formation::Circle)),
+];
+const MOODS: &[(&str, Option<StageMood>)] = &[
+    ("as-before", None),
+    (StageMood::Tender.id(), Some(StageMood::Tender)),
+    (StageMood::Joyful.id(), Some(StageMood::Joyful)),
+    (StageMood::Sea.id(), Some(StageMood::Sea)),
+    (StageMood::Solemn.id(), Some(StageMood::Solemn)),
 ];
 const ARM_MANNERS: &[(&str, ArmManner)] =
     &[("curved", ArmManner::Curved), ("crisp", ArmManner::Crisp)];
@@ -321,5 +328,13 @@ pub const PART_KEYS: &[Key<PartDesign>] = &[
         formation,
         "この部分のあいだにグループが歩いて移る隊形。ひとりで踊るときは動かない",
         "the formation that a group walks to in this part; one dancer stays"
+    ),
+    choice!(
+        "mood",
+        words("照明の気分", "mood of the lamps"),
+        MOODS,
+        mood,
+        "ここからの劇場の照明。動画で移り変わる",
+        "the lamps of a theater from here on; films fade to them"
     ),
 ];
