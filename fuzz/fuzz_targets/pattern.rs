@@ -11,9 +11,19 @@ fuzz_target!(|bytes: &[u8]| {
     match garmentcode::read(bytes) {
         Ok(given) => {
             let pieces = given.pattern.pieces.iter();
-            let segments = pieces.flat_map(|piece| &piece.edges).flat_map(|edge| &edge.segments);
-            assert!(segments.into_iter().all(|segment| segment.eval(0.5).is_finite()));
-            let sides = given.pattern.seams.iter().flat_map(|seam| [seam.flat, seam.full]);
+            let segments = pieces
+                .flat_map(|piece| &piece.edges)
+                .flat_map(|edge| &edge.segments);
+            assert!(
+                segments
+                    .into_iter()
+                    .all(|segment| segment.eval(0.5).is_finite())
+            );
+            let sides = given
+                .pattern
+                .seams
+                .iter()
+                .flat_map(|seam| [seam.flat, seam.full]);
             for side in sides {
                 assert!(side.edge < given.pattern.pieces[side.piece].edges.len());
             }

@@ -3,7 +3,9 @@
 use std::fmt::Write as _;
 
 use arbitrary::Unstructured;
-use lole_costume::document::schema::{FINENESS, GARMENT, Key, Kind, LIST, TABLES};
+use lole_costume::document::schema::{
+    FINENESS, GARMENT, Key, Kind, LIST, MOTION_PARTS, PART_KEYS, TABLES,
+};
 use lole_garment::TEMPLATES;
 use lole_garment::template::OptionKind;
 
@@ -20,6 +22,8 @@ pub enum Which {
 
 /// Garments of a design, at most.
 const MOST_GARMENTS: u32 = 3;
+/// Parts of a choreography, at most.
+const MOST_PARTS: u32 = 4;
 /// The grid of the skirt where it is to be danced.
 const COARSE: &str = "column_count = 96\nrow_count = 40\n";
 
@@ -36,6 +40,14 @@ pub fn text(bytes: &mut Unstructured<'_>, which: Which) -> String {
             text.push_str(COARSE);
         }
         keys(bytes, which, table.keys, &mut text);
+    }
+    if which == Which::Any {
+        for _ in 0..MOST_PARTS {
+            if once_in(bytes, 3) {
+                let _ = writeln!(text, "[[motion.{MOTION_PARTS}]]");
+                keys(bytes, which, PART_KEYS, &mut text);
+            }
+        }
     }
     for _ in 0..MOST_GARMENTS {
         if once_in(bytes, 2) {

@@ -1,9 +1,13 @@
 //! Inputs that are nearly right: bytes of the fuzzer as choices, so that what it changes is what a document, a drawing
 //! or an avatar says, and not whether it can be read at all.
 
+pub mod checks;
 pub mod design;
 pub mod drawing;
 pub mod gltf;
+pub mod list;
+pub mod recording;
+pub mod song;
 
 use arbitrary::Unstructured;
 
