@@ -238,28 +238,20 @@ impl Ensemble {
     /// A size that cannot be drawn, or an adapter that fails.
     pub fn film(&mut self, camera: Camera, renderer: &mut Renderer) -> Result<Image, RenderError> {
         self.keep();
-        let seen = (&camera, renderer.size());
-        let size = renderer.size();
-        let first = self.members.first().map(|it| &it.performance);
+        let (size, first) = (renderer.size(), self.members.first());
         let mut film = |scenery| {
-            self.shutter.expose(seen, |moments, room| {
-                room.render(
-                    renderer,
-                    &self.scene(moments, camera, (scenery, Lamps::Still)),
-                )
+            self.shutter.expose((&camera, size), |moments, room| {
+                let stage = (scenery, Lamps::Still);
+                renderer.render_lit(&self.scene(moments, camera, stage), room)
             })
         };
-        let mut image = match first {
-            Some(first) => {
-                let cues = Cues::of(first.production());
-                lit((&cues, first.time()), size, film)?
-            }
-            None => film(Scenery::default())?,
+        let Some(first) = first.map(|it| &it.performance) else {
+            return film(Scenery::default());
         };
-        if let Some(first) = self.members.first() {
-            let stage = &first.performance.production().design.stage;
-            title::write(&mut image, &stage.title, first.performance.time())?;
-        }
+        let cues = Cues::of(first.production());
+        let mut image = lit((&cues, first.time()), size, film)?;
+        let stage = &first.production().design.stage;
+        title::write(&mut image, &stage.title, first.time())?;
         Ok(image)
     }
 

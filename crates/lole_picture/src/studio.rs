@@ -118,14 +118,13 @@ impl PhotoStudio {
     ) -> Result<Image, RenderError> {
         let moment = Moment::of(performance);
         self.shutter.keep(performance.time(), vec![moment]);
-        let seen = (&camera, renderer.size());
         let size = renderer.size();
         let mut image = lit((&self.cues, performance.time()), size, |scenery| {
-            self.shutter.expose(seen, |moments, room| {
+            self.shutter.expose((&camera, size), |moments, room| {
                 let dancers = moments.iter().map(|moment| (&self.looks, moment.dancer()));
                 let dancers: Vec<_> = dancers.collect();
                 let stage = (scenery, Lamps::Still);
-                room.render(renderer, &Looks::stage(&dancers, stage, camera))
+                renderer.render_lit(&Looks::stage(&dancers, stage, camera), room)
             })
         })?;
         let stage = &performance.production().design.stage;

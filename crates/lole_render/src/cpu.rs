@@ -12,7 +12,7 @@ mod tiles;
 use crate::bake::Bake;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
-use crate::renderer::Light;
+use crate::renderer::RoomLight;
 use crate::shade::{KeyShadow, SOFTEST_DISTANCE, Surface};
 use crate::srgb::SrgbTable;
 use crate::surroundings::Paints;
@@ -37,9 +37,9 @@ impl CpuRenderer {
     }
 
     /// Draws a checked scene.
-    pub(crate) fn render(&mut self, scene: &Scene<'_>, size: Size, light: Light) -> Image {
+    pub(crate) fn render(&mut self, scene: &Scene<'_>, size: Size, light: RoomLight) -> Image {
         let geometry = Geometry::of(scene);
-        let before = self.bake.take().filter(|_| light == Light::AsBefore);
+        let before = self.bake.take().filter(|_| light == RoomLight::AsBefore);
         let bake = Bake::lit(scene, &geometry, before);
         let frame = Frame::new(scene, size, &bake);
         let corners = raster::screen_corners(&geometry, &frame);

@@ -41,7 +41,7 @@ pub use gpu::{AmbientLight, Effort, LiveView, Overlay, OverlayLine};
 pub use image::{Exposure, Image, Size};
 pub use light::{KeyLight, LightRig, SoftBox};
 pub use material::{BackShade, Material, Sides};
-pub use renderer::{Backend, Renderer};
+pub use renderer::{Backend, Renderer, RoomLight};
 pub use scene::{Scene, SceneMesh};
 pub use texture::Texture;
 pub use wgpu;

@@ -17,12 +17,12 @@ pub enum Backend {
     Cpu,
 }
 
-/// Where the light of the room comes from.
+/// Where the light of the room on vertices and floor comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Light {
+pub enum RoomLight {
     /// It is worked out.
     Anew,
-    /// It is that of the picture before.
+    /// It is that of the picture before; worked out anew where that had another number of vertices.
     AsBefore,
 }
 
@@ -101,20 +101,19 @@ impl Renderer {
     /// Where the scene holds a number that is not finite, an index out of range or a camera that
     /// cannot look, naming the place; where the graphics adapter fails.
     pub fn render(&mut self, scene: &Scene<'_>) -> Result<Image, RenderError> {
-        self.lit(scene, Light::Anew)
+        self.render_lit(scene, RoomLight::Anew)
     }
 
-    /// The picture of a scene whose meshes have moved by little since the picture before, as while a shutter is open:
-    /// their vertices and the floor keep the light of the room from it, which is half of the work. Shadows of the key
-    /// light follow. Where the number of vertices is another one, all of the light is worked out anew.
+    /// The picture of `scene`, with the light of the room from there. That of the picture before is for meshes that
+    /// have moved by little since, as while a shutter is open: it is half of the work. Shadows of the key light follow.
     ///
     /// # Errors
     /// As [`Self::render`].
-    pub fn render_moved(&mut self, scene: &Scene<'_>) -> Result<Image, RenderError> {
-        self.lit(scene, Light::AsBefore)
-    }
-
-    fn lit(&mut self, scene: &Scene<'_>, light: Light) -> Result<Image, RenderError> {
+    pub fn render_lit(
+        &mut self,
+        scene: &Scene<'_>,
+        light: RoomLight,
+    ) -> Result<Image, RenderError> {
         scene.check()?;
         match &mut self.drawer {
             Drawer::Cpu(cpu) => Ok(cpu.render(scene, self.size, light)),

@@ -8,7 +8,7 @@ use lole_geom::trig;
 use lole_render::backdrop::{Floor, Panorama, Shore};
 use lole_render::{
     BackShade, Backend, Background, Camera, Gradient, Ground, Image, KeyLight, Landscape, LightRig,
-    Material, RenderError, Renderer, Scene, SceneMesh, Sides, Size, Texture,
+    Material, RenderError, Renderer, RoomLight, Scene, SceneMesh, Sides, Size, Texture,
 };
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
@@ -422,6 +422,39 @@ fn the_same_bits_on_one_and_three_threads() {
         pool.install(|| draw(&scene, Size::new(160, 120)))
     };
     assert_eq!(on_threads(1), on_threads(3));
+}
+
+/// What has not moved is lit as before to the bit, what has moved a little nearly so; another mesh is lit anew.
+#[test]
+fn a_moved_picture_is_lit_as_the_one_before() {
+    let material = matt([0.5, 0.4, 0.3]);
+    let at = |x: f32| sphere(Vec3::new(x, 0.6, 0.0), 0.5);
+    let (ball, moved, plate) = (at(0.0), at(0.004), square(Vec3::new(0.0, 1.4, 0.0), 0.3));
+    let scene = |shapes: &[&'static str]| {
+        let mut scene = plain_scene(front_camera(3.0), 0.4);
+        scene.ground = Some(Ground::default());
+        let shapes = shapes.iter().map(|shape| match *shape {
+            "ball" => ball.with(&material),
+            "moved" => moved.with(&material),
+            _ => plate.with(&material),
+        });
+        scene.meshes = shapes.collect();
+        scene
+    };
+    let size = Size::new(96, 96);
+    let mut renderer = Renderer::new(Backend::Cpu, size).unwrap();
+    let mut lit = |shapes: &[&'static str], light: RoomLight| {
+        renderer.render_lit(&scene(shapes), light).unwrap()
+    };
+    let anew = lit(&["ball"], RoomLight::Anew);
+    assert!(lit(&["ball"], RoomLight::AsBefore) == anew);
+    let as_before = lit(&["moved"], RoomLight::AsBefore);
+    let by_itself = lit(&["moved"], RoomLight::Anew);
+    let apart = as_before.pixels.iter().zip(&by_itself.pixels);
+    let apart = apart.map(|(a, b)| a.abs_diff(*b)).max();
+    assert!(apart < Some(4), "{apart:?}");
+    let both = lit(&["moved", "plate"], RoomLight::AsBefore);
+    assert!(both == lit(&["moved", "plate"], RoomLight::Anew));
 }
 
 #[test]

@@ -126,7 +126,7 @@ impl Danced {
 #[cfg(test)]
 mod tests {
     use lole_body::Measurements;
-    use lole_costume::document::LinkedFile;
+    use lole_costume::document::{LinkedFile, PartDesign};
 
     use super::*;
 
@@ -146,5 +146,33 @@ mod tests {
             said(&design),
             "a.bvh: line 4: OFFSET takes three numbers, and here are 2"
         );
+    }
+
+    #[test]
+    fn whoever_walks_is_where_she_should_be_at_the_end_of_each_part() {
+        let dancer = Dancer::new(&Measurements::woman()).unwrap();
+        let mut design = Design::default();
+        design.motion.parts = [16, 8, 16]
+            .map(|beat_count| PartDesign {
+                beat_count,
+                ..PartDesign::default()
+            })
+            .to_vec();
+        let stays = Danced::new(&design, &dancer).unwrap();
+        let ways = [Vec2::new(0.5, -0.4), Vec2::ZERO, Vec2::new(-0.7, 0.2)];
+        let walks = Danced::walking(&design, &dancer, &ways).unwrap();
+        let beat = 60.0 / 80.0;
+        let mut been = Vec2::ZERO;
+        for (way, counts) in ways.into_iter().zip([18.5_f32, 26.5, 43.0]) {
+            been += way;
+            let at = |danced: &Danced| danced.pose_at(counts * beat).hips_translation;
+            let away = at(&walks) - at(&stays);
+            assert!(
+                Vec2::new(away.x, away.z).distance(been) < 0.02,
+                "{away} {been}"
+            );
+            assert!(away.y.abs() < 0.01, "{away}");
+        }
+        assert!(Danced::walking(&design, &dancer, &[Vec2::new(9.0, 0.0)]).is_err());
     }
 }

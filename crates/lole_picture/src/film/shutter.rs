@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use glam::Vec3;
 use lole_costume::document::MotionBlur;
-use lole_render::{Camera, Exposure, Image, RenderError, Renderer, Scene, Size};
+use lole_render::{Camera, Exposure, Image, RenderError, RoomLight, Size};
 use lole_stage::Vertices;
 use rayon::prelude::*;
 
@@ -18,29 +18,6 @@ const STEP: f32 = 1.5;
 const MOST_PICTURES: u16 = 16;
 /// Times that differ by less are the same [s].
 const SAME_TIME: f32 = 1.0e-4;
-
-/// How one of several pictures of which one is made is lit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Lit {
-    /// By itself.
-    Anew,
-    /// As the one before.
-    AsBefore,
-}
-
-impl Lit {
-    /// Draws a scene so.
-    pub(crate) fn render(
-        self,
-        renderer: &mut Renderer,
-        scene: &Scene<'_>,
-    ) -> Result<Image, RenderError> {
-        match self {
-            Self::Anew => renderer.render(scene),
-            Self::AsBefore => renderer.render_moved(scene),
-        }
-    }
-}
 
 /// Keeps the moments that lie as far back as the shutter is open; of several dancers, each of them in her order.
 pub(crate) struct Shutter {
@@ -78,24 +55,24 @@ impl Shutter {
     pub(crate) fn expose(
         &self,
         (camera, size): (&Camera, Size),
-        mut draw: impl FnMut(&[Moment], Lit) -> Result<Image, RenderError>,
+        mut draw: impl FnMut(&[Moment], RoomLight) -> Result<Image, RenderError>,
     ) -> Result<Image, RenderError> {
         let Some((now, last)) = self.kept.back() else {
-            return draw(&[], Lit::Anew);
+            return draw(&[], RoomLight::Anew);
         };
         let count = self.picture_count(camera, size);
         if count == 1 {
-            return draw(last, Lit::Anew);
+            return draw(last, RoomLight::Anew);
         }
         let mut exposure = Exposure::new(size);
         for number in 0..count {
             let share = (f32::from(number) + 0.5) / f32::from(count);
-            let lit = if number == 0 {
-                Lit::Anew
+            let room = if number == 0 {
+                RoomLight::Anew
             } else {
-                Lit::AsBefore
+                RoomLight::AsBefore
             };
-            exposure.add(&draw(&self.at(now - self.open * (1.0 - share)), lit)?, 1.0);
+            exposure.add(&draw(&self.at(now - self.open * (1.0 - share)), room)?, 1.0);
         }
         Ok(exposure.develop())
     }

@@ -6,7 +6,7 @@ use super::pipeline::{COLOR, DEPTH, Pipelines, SAMPLES, Vertex};
 use crate::bake::{Bake, GROUND_CELLS};
 use crate::frame::Frame;
 use crate::prepare::Geometry;
-use crate::renderer::Light;
+use crate::renderer::RoomLight;
 use crate::shade::Surface;
 use crate::{Image, RenderError, Scene, Size, Texture};
 use std::sync::Arc;
@@ -95,9 +95,13 @@ impl GpuRenderer {
     ///
     /// # Errors
     /// [`RenderError::Gpu`] where the adapter fails.
-    pub(crate) fn render(&mut self, scene: &Scene<'_>, light: Light) -> Result<Image, RenderError> {
+    pub(crate) fn render(
+        &mut self,
+        scene: &Scene<'_>,
+        light: RoomLight,
+    ) -> Result<Image, RenderError> {
         let geometry = Geometry::of(scene);
-        let before = self.bake.take().filter(|_| light == Light::AsBefore);
+        let before = self.bake.take().filter(|_| light == RoomLight::AsBefore);
         let bake = Bake::lit(scene, &geometry, before);
         let frame = Frame::new(scene, self.targets.size, &bake);
         let scope = self
