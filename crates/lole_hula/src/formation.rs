@@ -90,7 +90,7 @@ impl Formation {
 /// Who changes places with whom is tried until no pair gains by it. Shortest sums of squares keep those who walk at
 /// the same time apart (Turpin, Michael and Kumar 2014, doi 10.1007/s10514-014-9412-1).
 #[must_use]
-pub fn assigned(from: &[Vec3], to: &[Vec3]) -> Vec<usize> {
+pub fn assign_places(from: &[Vec3], to: &[Vec3]) -> Vec<usize> {
     let mut goes: Vec<usize> = (0..from.len().min(to.len())).collect();
     let cost = |one: usize, place: usize| from[one].distance_squared(to[place]);
     let mut changed = true;
@@ -237,7 +237,7 @@ mod tests {
         {
             for count in 1..=24 {
                 let [from, to] = [from, to].map(|it| it.places(count, 1.5));
-                let goes = assigned(&from, &to);
+                let goes = assign_places(&from, &to);
                 let mut taken = goes.clone();
                 taken.sort_unstable();
                 assert_eq!(taken, (0..count).collect::<Vec<usize>>());

@@ -30,7 +30,7 @@ mod steps;
 mod tempo;
 
 pub use choreography::{Count, Part};
-pub use formation::{Formation, assigned};
+pub use formation::{Formation, assign_places};
 pub use lole_body::Side;
 pub use repertoire::{DanceStep, Statement};
 pub use schools::{SCHOOLS, School};

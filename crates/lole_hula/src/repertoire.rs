@@ -120,12 +120,19 @@ impl DanceStep {
         all
     };
 
+    /// Whether the weight goes to another foot, so that it can take somebody anywhere.
+    #[must_use]
+    pub fn walks(self) -> bool {
+        let steps = |landing: &Landing| 0.0 < landing.lift && 0.0 < landing.carry;
+        let mut feet = self.score().feet.iter();
+        feet.any(|foot| foot.landings.iter().any(steps))
+    }
+
     /// How far feet carry somebody in so many counts besides what the step does [statures]; 0 where she steps on no
     /// foot.
     #[must_use]
     pub fn longest_way(self, counts: u32) -> f32 {
-        let walks = |landing: &Landing| 0.0 < landing.lift && 0.0 < landing.carry;
-        if !(self.score().feet.iter()).any(|foot| foot.landings.iter().any(walks)) {
+        if !self.walks() {
             return 0.0;
         }
         let shares = self.longest_share(0).zip(self.longest_share(1));

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 use lole_costume::document::Design;
 use lole_export::group::{GroupDancer, GroupReport};
 use lole_render::{Camera, Image, RenderError, Renderer, Scene, Size};
-use lole_stage::{Divergence, Formation, Performance, Production, StageError, assigned};
+use lole_stage::{Divergence, Formation, Performance, Production, StageError, assign_places};
 use rayon::prelude::*;
 
 use crate::film::cues::{Cues, lit};
@@ -114,7 +114,7 @@ fn ways(members: &[Member], places: &[Vec3], room: f32) -> Vec<Vec<Vec2>> {
     let mut ways = vec![Vec::new(); members.len()];
     for formation in named {
         let next = formation.map_or_else(|| at.clone(), |it| it.places(at.len(), room));
-        let goes = assigned(&at, &next);
+        let goes = assign_places(&at, &next);
         for ((at, ways), place) in at.iter_mut().zip(&mut ways).zip(goes) {
             let way = next[place] - *at;
             ways.push(Vec2::new(way.x, way.z));
@@ -129,6 +129,7 @@ pub struct Ensemble {
     members: Vec<Member>,
     formation: Formation,
     shutter: Shutter,
+    cues: Cues,
 }
 
 impl Ensemble {
@@ -136,12 +137,12 @@ impl Ensemble {
     /// sends her to the formations that the choreography names.
     ///
     /// # Errors
-    /// A part too short for somebody's way, with her place in the list.
+    /// A part too short for somebody's way, with her name.
     pub fn new(
         mut members: Vec<Member>,
         formation: Formation,
         spacing: Option<f32>,
-    ) -> Result<Self, (usize, StageError)> {
+    ) -> Result<Self, Box<(String, StageError)>> {
         let room = spacing.unwrap_or_else(|| {
             let performances = members.iter().map(|it| &it.performance);
             film::room(&performances.collect::<Vec<_>>()) + BETWEEN_HANDS
@@ -151,15 +152,18 @@ impl Ensemble {
         for (place, (member, at)) in members.iter_mut().zip(places).enumerate() {
             member.at = at;
             if let Some(ways) = ways.get(place) {
-                (member.performance.walk(ways)).map_err(|error| (place, error))?;
+                let walks = member.performance.walk(ways);
+                walks.map_err(|error| Box::new((member.name.clone(), error)))?;
             }
         }
         let first = members.first().map(|it| it.performance.production());
         let blur = first.map_or_else(Default::default, |it| it.design.stage.motion_blur);
+        let cues = first.map_or_else(Cues::default, Cues::of);
         Ok(Self {
             members,
             formation,
             shutter: Shutter::new(blur),
+            cues,
         })
     }
 
@@ -226,7 +230,7 @@ impl Ensemble {
 
     /// What the film's shutter sees between two pictures: to be called in every frame of the dance that has none.
     pub fn pass(&mut self) {
-        if self.shutter.is_slow() {
+        if self.shutter.smears() {
             (self.members.par_iter_mut()).for_each(|it| it.performance.pose_body());
             self.keep();
         }
@@ -239,19 +243,16 @@ impl Ensemble {
     pub fn film(&mut self, camera: Camera, renderer: &mut Renderer) -> Result<Image, RenderError> {
         self.keep();
         let (size, first) = (renderer.size(), self.members.first());
-        let mut film = |scenery| {
+        let time = first.map_or(0.0, |it| it.performance.time());
+        let mut image = lit((&self.cues, time), size, |scenery| {
             self.shutter.expose((&camera, size), |moments, room| {
                 let stage = (scenery, Lamps::Still);
                 renderer.render_lit(&self.scene(moments, camera, stage), room)
             })
-        };
-        let Some(first) = first.map(|it| &it.performance) else {
-            return film(Scenery::default());
-        };
-        let cues = Cues::of(first.production());
-        let mut image = lit((&cues, first.time()), size, film)?;
-        let stage = &first.production().design.stage;
-        title::write(&mut image, &stage.title, first.time())?;
+        })?;
+        if let Some(first) = first.map(|it| it.performance.production()) {
+            title::write(&mut image, &first.design.stage.title, time)?;
+        }
         Ok(image)
     }
 

@@ -98,7 +98,7 @@ impl PhotoStudio {
 
     /// What the film's shutter sees between two pictures: to be called in every frame of the dance that has none.
     pub fn pass(&mut self, performance: &mut Performance) {
-        if self.shutter.is_slow() {
+        if self.shutter.smears() {
             performance.pose_body();
             let moment = Moment::of(performance);
             self.shutter.keep(performance.time(), vec![moment]);

@@ -105,7 +105,8 @@ impl Renderer {
     }
 
     /// The picture of `scene`, with the light of the room from there. That of the picture before is for meshes that
-    /// have moved by little since, as while a shutter is open: it is half of the work. Shadows of the key light follow.
+    /// have moved by little since, as while a shutter is open, and spares the largest part of the light's work. Shadows of
+    /// the key light follow.
     ///
     /// # Errors
     /// As [`Self::render`].

@@ -28,7 +28,7 @@ pub use double_pau::double_pau;
 pub use hold::{ElasticHold, HoldWatch, OFF};
 pub use live::{Pull, Show, Vitals, Wish};
 pub use lole_garment::dress::Division;
-pub use lole_hula::{Formation, assigned};
+pub use lole_hula::{Formation, assign_places};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{
     Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, GarmentLayers, LayerWatch, NoRoom,

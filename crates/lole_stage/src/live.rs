@@ -655,7 +655,7 @@ fn part_at(dance: &Danced, parts: &[PartDesign], time: f64) -> Option<usize> {
     })
 }
 
-/// A motion but for its tempo and length.
+/// A motion but for its tempo and length, and for what of its parts is no step of one dancer.
 struct MotionOfTempo<'a>(&'a lole_costume::document::MotionDesign);
 
 impl PartialEq for MotionOfTempo<'_> {
@@ -663,6 +663,9 @@ impl PartialEq for MotionOfTempo<'_> {
         let mut motion = self.0.clone();
         motion.tempo_bpm = other.0.tempo_bpm;
         motion.duration_s = other.0.duration_s;
+        for (part, other) in motion.parts.iter_mut().zip(&other.0.parts) {
+            (part.formation, part.mood) = (other.formation, other.mood);
+        }
         motion == *other.0
     }
 }

@@ -39,7 +39,7 @@ use crate::production::{DressedGarment, Garment, Production};
 use crate::solver::{self, Observer, Solver, Surroundings};
 use adornment::{Adorned, AroundStrands};
 use dressed::{Around, Dressed};
-use hair::Hair;
+use hair::{AroundHair, Hair};
 use jump::{Hips, Jump};
 use order::Order;
 use worn::{Carrier, Worn};
@@ -216,16 +216,6 @@ impl Performance {
         keep_awake(|| self.step_in(pose, None))
     }
 
-    /// Lets her walk in the parts of her choreography, as [`Danced::walking`] has it; to be said before she dances.
-    ///
-    /// # Errors
-    /// A way that the feet do not carry her in a part.
-    pub fn walk(&mut self, ways: &[Vec2]) -> Result<(), StageError> {
-        let danced = Danced::walking(&self.production.design, &self.production.dancer, ways)?;
-        Arc::make_mut(&mut self.production).dance = danced;
-        Ok(())
-    }
-
     /// The same, bit for bit, and `passed` is called whenever a [`Phase`] of the real-time method
     /// has ended; other methods have none.
     ///
@@ -241,6 +231,16 @@ impl Performance {
     pub(crate) fn advance_in(&mut self, pose: Pose) -> Result<(), Divergence> {
         self.frame += 1;
         keep_awake(|| self.step_in(pose, None))
+    }
+
+    /// Lets her walk in the parts of her choreography, as [`Danced::walking`] has it; to be said before she dances.
+    ///
+    /// # Errors
+    /// A way that the feet do not carry her in a part.
+    pub fn walk(&mut self, ways: &[Vec2]) -> Result<(), StageError> {
+        let danced = Danced::walking(&self.production.design, &self.production.dancer, ways)?;
+        Arc::make_mut(&mut self.production).dance = danced;
+        Ok(())
     }
 
     /// The adornments of another design, which has the same cloth, come down on her and her cloth as both
@@ -393,14 +393,15 @@ impl Performance {
         if drawn.open_hair.knots.is_empty() {
             return;
         }
-        let air_velocity = self.air_velocity();
         let dressed = self.dressed.iter().map(Dressed::positions);
         let cloth: Vec<&[Vec3]> = dressed.chain([&self.cloth_positions[..]]).collect();
-        (self.hair).step(
-            &drawn.open_hair,
-            &self.world_from_bind,
-            (air_velocity, &cloth),
-        );
+        let around = AroundHair {
+            world_from_bind: &self.world_from_bind,
+            gravity: self.gravity(),
+            air_velocity: self.air_velocity(),
+            cloth: &cloth,
+        };
+        self.hair.step(&drawn.open_hair, &around);
     }
 
     /// Velocity of the air around strands and garments sewn from shaped pieces [m/s]: the wind's, with

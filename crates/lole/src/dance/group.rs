@@ -68,12 +68,10 @@ pub(super) fn run(
     };
     let (formation, spacing) = (args.group.formation, args.group.spacing);
     let paths = pool.install(|| {
-        let names: Vec<String> = members.iter().map(|it| it.name().to_owned()).collect();
-        let mut group = Ensemble::new(members, formation, spacing).map_err(|(place, error)| {
-            source.located(
-                place_of(&error),
-                named(&names[place], &Sentence::of(&error)),
-            )
+        let group = Ensemble::new(members, formation, spacing);
+        let mut group = group.map_err(|refused| {
+            let (name, error) = *refused;
+            source.located(place_of(&error), named(&name, &Sentence::of(&error)))
         })?;
         let taken = run.film(&mut group, song, &folder)?;
         run.write(&group, taken, folder)

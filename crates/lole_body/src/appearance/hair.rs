@@ -6,6 +6,7 @@
 //! skin (`hair_paint`), so that no edge shows.
 
 use std::f32::consts::{PI, TAU};
+use std::ops::Range;
 
 use glam::{Vec2, Vec3};
 use lole_geom::mesh::vertex_normals;
@@ -44,24 +45,15 @@ pub(crate) fn add_hair(skin: &mut SkinnedMesh, on: (&Shape, &Head), style: HairS
 /// The same to a drawn body, with single strands and what of them swings.
 pub(crate) fn add_drawn_hair(drawn: &mut DrawnBody, on: (&Shape, &Head), style: HairStyle) {
     let grown = Grown::new(on, style);
-    let begins = grown.add_to(&mut drawn.mesh);
+    let beside_cap = grown.add_to(&mut drawn.mesh);
     let (strands, of_fall) = strands::strands(&grown.scalp, style, grown.fall.as_ref());
     drawn.strands = strands;
     if let Some(fall) = &grown.fall {
-        let hanging = drawn
-            .mesh
-            .parts
-            .iter()
-            .filter(|part| part.kind == PartKind::Hair);
-        let vertices = hanging
-            .flat_map(|part| part.triangles.iter().flatten())
-            .copied();
-        let ends = vertices.max().map_or(0, |last| last as usize + 1);
         let lie = |place| fall.lie(place);
         drawn.open_hair = OpenHair::new(
             fall.knots(),
-            lies(&drawn.mesh, begins..ends, lie),
-            lies(&drawn.strands, of_fall..usize::MAX, lie),
+            lies(&drawn.mesh, beside_cap, lie),
+            lies(&drawn.strands, of_fall..drawn.strands.positions.len(), lie),
         );
     }
 }
@@ -87,8 +79,8 @@ impl<'a> Grown<'a> {
         }
     }
 
-    /// Appends it to a skin; gives the first vertex after the cap.
-    fn add_to(&self, skin: &mut SkinnedMesh) -> usize {
+    /// Appends it to a skin; gives the vertices of hair that is no cap.
+    fn add_to(&self, skin: &mut SkinnedMesh) -> Range<usize> {
         let mut hair = Solid::default();
         hair.append(&self.cap);
         let after_cap = skin.positions.len() + hair.positions.len();
@@ -100,12 +92,13 @@ impl<'a> Grown<'a> {
             None => {}
         }
         hair.add_to(skin, PartKind::Hair);
+        let end = skin.positions.len();
         if matches!(self.style, HairStyle::Bun | HairStyle::Long) {
             let (petals, heart) = self.scalp.flower();
             petals.add_to(skin, PartKind::Flower);
             heart.add_to(skin, PartKind::FlowerHeart);
         }
-        after_cap
+        after_cap..end
     }
 }
 

@@ -85,9 +85,8 @@ impl Design {
         Measurements::from_tape(&self.tape()).map_err(|error| ("dancer", together(&error)))?;
         self.check_avatar().map_err(|problem| ("dancer", problem))?;
         (self.motion_settings().check()).map_err(|error| ("motion", together(&error)))?;
-        let stays = (1..).zip(&self.motion.parts);
-        let stays = stays.filter_map(|(number, part)| part.cannot_walk(number));
-        if let Some(sentence) = stays.into_iter().next() {
+        let mut parts = (1..).zip(&self.motion.parts);
+        if let Some(sentence) = parts.find_map(|(number, part)| part.cannot_walk(number)) {
             return Err(("motion", Box::new(Problem::Together { sentence })));
         }
         self.check_prints()?;
@@ -375,11 +374,10 @@ impl PartDesign {
 
     /// What is wrong where a group is to walk in a step that stays.
     pub(super) fn cannot_walk(&self, number: usize) -> Option<Sentence> {
-        let walks = |step: &DanceStep| 0.0 < step.longest_way(self.beat_count);
-        if self.formation.is_none() || walks(&self.step) {
+        if self.formation.is_none() || self.step.walks() {
             return None;
         }
-        let walking = DanceStep::ALL.into_iter().filter(walks);
+        let walking = DanceStep::ALL.into_iter().filter(|step| step.walks());
         let (step, walking) = (
             self.step.id(),
             walking.map(DanceStep::id).collect::<Vec<_>>(),

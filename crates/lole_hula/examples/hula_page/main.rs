@@ -81,10 +81,12 @@ A new tempo is reached within two counts.
 部分に `formation`（`rows`・`line`・`wedge`・`circle`）を書くと、名簿の全員の動画で、その部分のあいだに皆がその隊形へ歩いて移ります。
 足の運びはステップのまま、一歩ずつが少し長くなります。
 その場のステップ（`ami` など）では移れず、道のりに拍数が足りないときは、何拍要るかを言って断ります。
+`mood`（`tender`・`joyful`・`sea`・`solemn`）を書くと、劇場の照明がその部分から移り変わります。
 
 With `formation` (`rows`, `line`, `wedge`, `circle`) in a part, everybody of a list walks to it while the part is danced.
 Her feet do the step, and every landing is a little farther.
 Steps that stay in place, such as `ami`, take nobody anywhere, and a way too long for the counts of a part is refused with the counts that it takes.
+`mood` (`tender`, `joyful`, `sea`, `solemn`) fades the lamps of a theater from that part on.
 ";
 
 fn main() -> io::Result<()> {

@@ -11,7 +11,7 @@ use crate::Scenery;
 const FADE: f32 = 1.6;
 
 /// When the lamps of a film change.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Cues {
     scenery: Scenery,
     /// Times of the changes [s], in their order, and the moods after them.
@@ -24,7 +24,7 @@ impl Cues {
         let (stage, motion) = (&production.design.stage, &production.design.motion);
         let mut changes = Vec::new();
         if let (StageSet::Theater, Danced::Step(dance)) = (stage.set, &production.dance) {
-            let mut beat = dance.beat_at(f64::from(dance.lead_in())).round();
+            let mut beat = dance.beat_at(f64::from(dance.lead_in()));
             let mut mood = stage.mood;
             for part in &motion.parts {
                 let next = part.mood.unwrap_or(mood);

@@ -35,8 +35,8 @@ impl Shutter {
         }
     }
 
-    /// Whether a moment counts that is no picture's.
-    pub(crate) fn is_slow(&self) -> bool {
+    /// Whether moments between pictures count.
+    pub(crate) fn smears(&self) -> bool {
         0.0 < self.open
     }
 
@@ -92,19 +92,15 @@ impl Shutter {
     /// Of how many pictures one is made, so that what moves farthest is smeared without gaps.
     fn picture_count(&self, camera: &Camera, size: Size) -> u16 {
         let mut way = 0.0;
-        let mut earlier = self.kept.iter();
         let later = self.kept.iter().skip(1);
-        for ((before, from), (after, to)) in earlier.by_ref().zip(later) {
+        for ((before, from), (after, to)) in self.kept.iter().zip(later) {
             let open = (self.open / (after - before)).min(1.0);
             let moved = from.iter().zip(to);
             let moved = moved.map(|(from, to)| farthest(from, to, (camera, size)));
             way += open * moved.fold(0.0, f32::max);
         }
-        let mut count = 1;
-        while count < MOST_PICTURES && f32::from(count) * STEP < way {
-            count += 1;
-        }
-        count
+        let enough = |count: &u16| way <= f32::from(*count) * STEP;
+        (1..MOST_PICTURES).find(enough).unwrap_or(MOST_PICTURES)
     }
 }
 

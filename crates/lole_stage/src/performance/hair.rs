@@ -13,8 +13,6 @@ use super::FRAME_SECONDS;
 const STEPS: u8 = 4;
 /// Passes over threads in a step.
 const PASSES: u8 = 4;
-/// Weight [m/s²].
-const GRAVITY: f32 = 9.81;
 /// How fast what is away from where it is combed to comes back: at the root and at the ends [1/s²]. A thread of the
 /// length of this hair swings about once a second, as a pendulum does; the roots of hair are stiffer than its ends.
 const RETURNS: [f32; 2] = [220.0, 34.0];
@@ -39,6 +37,18 @@ const BESIDE: [f32; 2] = [0.7, 1.3];
 /// A head goes no farther in a frame [m]; a recording that jumps does.
 const JUMP: f32 = 0.25;
 
+/// What hair meets in a frame.
+pub(super) struct AroundHair<'a> {
+    /// Skin transforms of the pose, by bone.
+    pub(super) world_from_bind: &'a [Affine3A],
+    /// Acceleration of free fall [m/s²].
+    pub(super) gravity: Vec3,
+    /// Velocity of the air [m/s].
+    pub(super) air_velocity: Vec3,
+    /// Places of what she wears [m].
+    pub(super) cloth: &'a [&'a [Vec3]],
+}
+
 /// Open hair in motion.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Hair {
@@ -54,14 +64,9 @@ pub(super) struct Hair {
 }
 
 impl Hair {
-    /// Moves on by a frame to a pose; it lies over this cloth.
-    pub(super) fn step(
-        &mut self,
-        hair: &OpenHair,
-        world_from_bind: &[Affine3A],
-        (air, cloth): (Vec3, &[&[Vec3]]),
-    ) {
-        let combed: Vec<Combed> = hair.combed(world_from_bind).collect();
+    /// Moves on by a frame.
+    pub(super) fn step(&mut self, hair: &OpenHair, around: &AroundHair<'_>) {
+        let combed: Vec<Combed> = hair.combed(around.world_from_bind).collect();
         let goes_on = combed.len() == self.combed.len()
             && (combed.iter().zip(&self.combed))
                 .all(|(now, before)| now.place.distance(before.place) < JUMP);
@@ -71,11 +76,11 @@ impl Hair {
             self.combed = combed;
             self.row_count = hair.knots.len() / hair.column_count.max(1);
             self.ground = vec![-PRESSED; self.places.len()];
-            self.lie_on(cloth);
+            self.lie_on(around.cloth);
             self.keep_off_back();
             return;
         }
-        self.lie_on(cloth);
+        self.lie_on(around.cloth);
         let before = std::mem::take(&mut self.combed);
         for step in 1..=STEPS {
             let share = f32::from(step) / f32::from(STEPS);
@@ -89,20 +94,20 @@ impl Hair {
             let carried: Vec<Vec3> = pairs
                 .map(|(before, now)| (now.place - before.place) / FRAME_SECONDS)
                 .collect();
-            self.substep(&carried, air);
+            self.substep(&carried, around);
         }
         self.combed = combed;
     }
 
     /// Moves on by a step; where they are combed to goes with these velocities [m/s].
-    fn substep(&mut self, carried: &[Vec3], air: Vec3) {
+    fn substep(&mut self, carried: &[Vec3], around: &AroundHair<'_>) {
         let dt = FRAME_SECONDS / f32::from(STEPS);
         let from = self.places.clone();
         for (knot, &carried) in carried.iter().enumerate() {
             let (combed, place) = (&self.combed[knot], self.places[knot]);
             let down = (knot % self.row_count) as f32 / (self.row_count - 1).max(1) as f32;
             let returns = RETURNS[0] + (RETURNS[1] - RETURNS[0]) * down;
-            let weight = (Vec3::NEG_Y - combed.down) * GRAVITY;
+            let weight = around.gravity - combed.down * around.gravity.length();
             let out = (place - combed.place).dot(combed.outward);
             let rubs = if out < self.ground[knot] + PRESSED {
                 RUBS_ON_BACK
@@ -111,7 +116,7 @@ impl Hair {
             };
             let velocity = &mut self.velocities[knot];
             *velocity += (weight + (combed.place - place) * returns) * dt;
-            *velocity += (air - *velocity) * (DRAG * dt);
+            *velocity += (around.air_velocity - *velocity) * (DRAG * dt);
             *velocity += (carried - *velocity) * (rubs * dt);
             self.places[knot] += *velocity * dt;
         }
@@ -239,6 +244,17 @@ mod tests {
         dancer.skeleton.world_from_bind(&pose)
     }
 
+    /// A frame in a pose and moving air, over cloth.
+    fn step(hair: &mut Hair, open: &OpenHair, pose: &[Affine3A], (air, cloth): (Vec3, &[&[Vec3]])) {
+        let around = AroundHair {
+            world_from_bind: pose,
+            gravity: Vec3::new(0.0, -9.81, 0.0),
+            air_velocity: air,
+            cloth,
+        };
+        hair.step(open, &around);
+    }
+
     /// How far the farthest knot is away from where it is combed to, after the laws of every moment held.
     fn farthest(hair: &Hair) -> f32 {
         let knots = hair.places.iter().zip(&hair.combed);
@@ -273,18 +289,33 @@ mod tests {
             let mut hair = Hair::default();
             // Standing it hangs as it is combed.
             for _ in 0..60 {
-                hair.step(open, &posed(&dancer, 0.0, 0.0), (Vec3::ZERO, &[]));
+                step(
+                    &mut hair,
+                    open,
+                    &posed(&dancer, 0.0, 0.0),
+                    (Vec3::ZERO, &[]),
+                );
                 assert_eq!(farthest(&hair), 0.0);
             }
             let mut most = 0.0_f32;
             for frame in 0_u8..60 {
                 let turn = std::f32::consts::TAU * f32::from(frame) / 60.0;
-                hair.step(open, &posed(&dancer, turn, 0.0), (Vec3::ZERO, &[]));
+                step(
+                    &mut hair,
+                    open,
+                    &posed(&dancer, turn, 0.0),
+                    (Vec3::ZERO, &[]),
+                );
                 most = most.max(farthest(&hair));
             }
             assert!((0.02..0.35).contains(&most), "{most} m");
             for _ in 0..300 {
-                hair.step(open, &posed(&dancer, 0.0, 0.0), (Vec3::ZERO, &[]));
+                step(
+                    &mut hair,
+                    open,
+                    &posed(&dancer, 0.0, 0.0),
+                    (Vec3::ZERO, &[]),
+                );
                 farthest(&hair);
             }
             assert!(farthest(&hair) < 0.003, "{} m", farthest(&hair));
@@ -299,7 +330,12 @@ mod tests {
             let mut hair = Hair::default();
             for frame in 0_u16..400 {
                 let share = (f32::from(frame) / 100.0).min(1.0);
-                hair.step(open, &posed(&dancer, 0.0, bend * share), (air, &[]));
+                step(
+                    &mut hair,
+                    open,
+                    &posed(&dancer, 0.0, bend * share),
+                    (air, &[]),
+                );
                 farthest(&hair);
             }
             let tips = hair.places.iter().zip(&hair.combed);
@@ -331,7 +367,7 @@ mod tests {
             .collect();
         let mut hair = Hair::default();
         for _ in 0..120 {
-            hair.step(open, &pose, (Vec3::ZERO, &[&cloth]));
+            step(&mut hair, open, &pose, (Vec3::ZERO, &[&cloth]));
         }
         for (knot, place) in hair.places.iter().enumerate() {
             let below = cloth
@@ -350,12 +386,17 @@ mod tests {
         let dancer = dancer(&Measurements::woman());
         let open = &dancer.drawn_body.as_ref().unwrap().open_hair;
         let mut hair = Hair::default();
-        hair.step(open, &posed(&dancer, 0.0, 0.0), (Vec3::ZERO, &[]));
+        step(
+            &mut hair,
+            open,
+            &posed(&dancer, 0.0, 0.0),
+            (Vec3::ZERO, &[]),
+        );
         let mut far = posed(&dancer, 0.4, 0.0);
         for bone in &mut far {
             bone.translation.x += 3.0;
         }
-        hair.step(open, &far, (Vec3::ZERO, &[]));
+        step(&mut hair, open, &far, (Vec3::ZERO, &[]));
         assert_eq!(farthest(&hair), 0.0);
     }
 }

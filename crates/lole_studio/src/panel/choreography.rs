@@ -4,6 +4,7 @@ use eframe::egui::{self, ComboBox, RichText, Ui};
 use lole_body::Side;
 use lole_costume::document::{PartDesign, StageMood, StageSet};
 use lole_hula::Formation;
+use lole_language::Words;
 
 use super::knob::{self, DropDown, wide_button};
 use super::steps::StepList;
@@ -103,7 +104,7 @@ fn part_ui(ui: &mut Ui, studio: &Studio, parts: &[PartDesign], index: usize) -> 
             changed.step = step;
             changed.beat_count = whole_phrases(part.beat_count, step.phrase());
             // Nobody walks anywhere in a step that stays.
-            changed.formation = changed.formation.filter(|_| walks(&changed));
+            changed.formation = changed.formation.filter(|_| step.walks());
         }
         let name = |words| format!("{number} {}", studio.say(words));
         if sign_button(ui, ("⬆", &name(text::MOVE_UP), 0 < index)) {
@@ -123,11 +124,19 @@ fn part_ui(ui: &mut Ui, studio: &Studio, parts: &[PartDesign], index: usize) -> 
         facing_ui(ui, studio, number, &mut changed);
     });
     if studio.design().stage.set == StageSet::Theater {
-        mood_ui(ui, studio, number, &mut changed);
+        let moods = StageMood::ALL.map(|mood| (mood, mood.name()));
+        let named = (number, text::MOOD, text::MOOD_STAYS);
+        if let Some(mood) = change_ui(ui, studio, named, (&moods, changed.mood)) {
+            changed.mood = mood;
+        }
     }
     // One dancer alone stays in her place.
-    if studio.order.list.is_some() && walks(&changed) {
-        formation_ui(ui, studio, number, &mut changed);
+    if studio.order.list.is_some() && changed.step.walks() {
+        let formations = Formation::ALL.map(|formation| (formation, formation.name()));
+        let named = (number, text::FORMATION_OF_PART, text::FORMATION_STAYS);
+        if let Some(formation) = change_ui(ui, studio, named, (&formations, changed.formation)) {
+            changed.formation = formation;
+        }
     }
     edit.or_else(|| (changed != part).then_some(Edit::Change(index, changed)))
 }
@@ -195,43 +204,24 @@ fn facing_ui(ui: &mut Ui, studio: &Studio, number: usize, part: &mut PartDesign)
     part.facing_deg = facing;
 }
 
-/// Whether a group gets anywhere in a part.
-fn walks(part: &PartDesign) -> bool {
-    0.0 < part.step.longest_way(part.beat_count)
-}
-
-/// Where a group of the list walks in a part.
-fn formation_ui(ui: &mut Ui, studio: &Studio, number: usize, part: &mut PartDesign) {
-    let choices = std::iter::once((None, text::FORMATION_STAYS))
-        .chain(Formation::ALL.map(|formation| (Some(formation), formation.name())));
-    let choices: Vec<(Option<Formation>, String)> = choices
-        .map(|(formation, name)| (formation, studio.say(name).to_owned()))
+/// A list of what a part may change and what stays as before; the new choice.
+fn change_ui<T: PartialEq + Copy>(
+    ui: &mut Ui,
+    studio: &Studio,
+    (number, name, stays): (usize, Words, Words),
+    (choices, chosen): (&[(T, Words)], Option<T>),
+) -> Option<Option<T>> {
+    let changes = choices.iter().map(|(choice, name)| (Some(*choice), *name));
+    let choices: Vec<(Option<T>, String)> = std::iter::once((None, stays))
+        .chain(changes)
+        .map(|(choice, name)| (choice, studio.say(name).to_owned()))
         .collect();
-    let name = format!("{number} {}", studio.say(text::FORMATION_OF_PART));
+    let name = format!("{number} {}", studio.say(name));
     let list = DropDown {
         salt: &name,
         name: &name,
     };
-    if let Some(formation) = list.show(ui, part.formation, &choices) {
-        part.formation = formation;
-    }
-}
-
-/// What the lamps of a theater say in a part.
-fn mood_ui(ui: &mut Ui, studio: &Studio, number: usize, part: &mut PartDesign) {
-    let choices = std::iter::once((None, text::MOOD_STAYS))
-        .chain(StageMood::ALL.map(|mood| (Some(mood), mood.name())));
-    let choices: Vec<(Option<StageMood>, String)> = choices
-        .map(|(mood, name)| (mood, studio.say(name).to_owned()))
-        .collect();
-    let name = format!("{number} {}", studio.say(text::MOOD));
-    let list = DropDown {
-        salt: &name,
-        name: &name,
-    };
-    if let Some(mood) = list.show(ui, part.mood, &choices) {
-        part.mood = mood;
-    }
+    list.show(ui, chosen, &choices)
 }
 
 /// Whether two directions are one, whole turns apart.

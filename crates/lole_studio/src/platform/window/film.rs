@@ -62,8 +62,10 @@ pub(crate) fn group_film(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade
         members.push(member.map_err(|error| refused(&dancer.name, &error))?);
     }
     let group = Ensemble::new(members, *formation, None);
-    let mut group = group
-        .map_err(|(place, error)| refused(&list.dancers[place].name, &MemberError::Stage(error)))?;
+    let mut group = group.map_err(|why| {
+        let (name, error) = *why;
+        refused(&name, &MemberError::Stage(error))
+    })?;
     let renderer = Renderer::new(Backend::Auto, FILM_SIZE);
     let mut renderer = renderer.map_err(|error| Unmade::of(&error))?;
     let size = [FILM_SIZE.width, FILM_SIZE.height];
