@@ -24,8 +24,9 @@ const TEXTS: [&str; 6] = [
     "LICENSE-APACHE",
 ];
 /// Tools that packages are made with, and the version that was tried.
-const TOOLS: [[&str; 2]; 3] = [
+const TOOLS: [[&str; 2]; 4] = [
     ["cargo-about", "0.8.4"],
+    ["cargo-auditable", "0.7.7"],
     ["cargo-cyclonedx", "0.5.7"],
     ["cargo-packager", "0.11.8"],
 ];
@@ -203,7 +204,8 @@ impl<'a> Bench<'a> {
         self.built().join("release").join(name)
     }
 
-    /// Builds the programs without a path of this machine.
+    /// Builds the programs without a path of this machine, each with the list of what is built into it, which
+    /// `cargo audit bin` and scanners of containers read.
     fn build(&self) -> anyhow::Result<()> {
         let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
         let home = home.or_else(|| Some(Path::new(&std::env::var_os("HOME")?).join(".cargo")));
@@ -226,7 +228,7 @@ impl<'a> Bench<'a> {
         let mut cargo = Command::new("cargo");
         cargo
             .current_dir(self.repository)
-            .args(["build", "--release", "--locked"])
+            .args(["auditable", "build", "--release", "--locked"])
             .args(PACKAGES.iter().flat_map(|package| ["-p", package]))
             // Parted by the one character that no path has.
             .env(
