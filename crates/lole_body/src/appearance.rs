@@ -1,8 +1,11 @@
 //! How a dancer looks: her hair, its color, her skin's and her leotard's.
 
+mod face;
 mod hair;
 mod hair_paint;
 
+pub(crate) use face::oldness;
+pub use face::{Face, Feature, hair_srgb_at};
 pub(crate) use hair::{add_drawn_hair, add_hair};
 
 use crate::{Dancer, Figure};
@@ -124,9 +127,13 @@ impl Makeup {
     }
 }
 
-/// Hair and colors of a dancer; no measure depends on them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Hair, face and colors of a dancer; no measure depends on them.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Appearance {
+    /// What makes her face unlike others.
+    pub face: Face,
+    /// How old she looks [years]; as the measured bodies that she is made of when `None`.
+    pub age_years: Option<f32>,
     /// How the hair is worn.
     pub hair: HairStyle,
     /// How the face is made up.
@@ -142,6 +149,8 @@ pub struct Appearance {
 impl Default for Appearance {
     fn default() -> Self {
         Self {
+            face: Face::default(),
+            age_years: None,
             hair: HairStyle::OfFigure,
             makeup: Makeup::OfFigure,
             skin_srgb: SKIN_SRGB,

@@ -7,6 +7,7 @@ mod armhole;
 mod build;
 mod eyes;
 mod face;
+mod features;
 pub(crate) mod open_hair;
 mod paint;
 mod weld;

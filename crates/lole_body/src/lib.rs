@@ -21,7 +21,7 @@ mod skin_weights;
 mod surface;
 pub mod tape;
 
-pub use appearance::{Appearance, BodyPicture, HairStyle, Makeup};
+pub use appearance::{Appearance, BodyPicture, Face, Feature, HairStyle, Makeup};
 pub use capsules::{BodyCapsule, CapsuleLayout, Coverage};
 pub use dancer::{Dancer, Landmarks};
 pub use drawn::{Combed, DrawnBody, Expression, HairKnot, OpenHair, Swing};

@@ -53,8 +53,8 @@ pub(crate) struct HeadPart {
     pub(crate) cheek: Vec<f32>,
     /// Places of the brow's middle line, from the nose outwards.
     pub(crate) brow: Vec<([u32; 3], [f32; 3])>,
-    pub(crate) nostril: u32,
-    pub(crate) nose_tip: u32,
+    /// Points that are told by name.
+    pub(crate) places: HeadPlaces,
     /// Middle of the left eyeball [m].
     pub(crate) eye: Vec3,
     /// Its radius [m], that of its iris, and where it looks.
@@ -102,7 +102,7 @@ struct RawHead {
     cheek: Vec<f32>,
     brow: Vec<[u32; 5]>,
     smile: RawSmile,
-    places: RawPlaces,
+    places: HeadPlaces,
 }
 
 #[derive(Deserialize)]
@@ -111,10 +111,23 @@ struct RawSmile {
     d: Vec<i32>,
 }
 
-#[derive(Deserialize)]
-struct RawPlaces {
-    nostril: u32,
-    pronasale: u32,
+/// Points of a head that anatomy has names for.
+#[derive(Debug, Clone, Copy, Deserialize)]
+pub(crate) struct HeadPlaces {
+    pub(crate) nostril: u32,
+    /// The tip of the nose.
+    pub(crate) pronasale: u32,
+    /// The side of the nose where it is widest.
+    pub(crate) alare: u32,
+    /// Where the nose meets the upper lip.
+    pub(crate) subnasale: u32,
+    /// The root of the nose.
+    pub(crate) nasion: u32,
+    /// Where the lips meet.
+    pub(crate) stomion: u32,
+    /// The chin's lowest point.
+    pub(crate) menton: u32,
+    pub(crate) ear_lobe: u32,
 }
 
 /// How much she smiles: a hint of it, as one dances.
@@ -177,8 +190,7 @@ pub(crate) fn head(shares: &Shares) -> Result<HeadPart, BodyError> {
         ear: run(&told.ear),
         cheek: told.cheek.iter().map(|percent| percent / 100.0).collect(),
         brow: brow.collect(),
-        nostril: told.places.nostril,
-        nose_tip: told.places.pronasale,
+        places: told.places,
         eye: vector(&|eye| eye.c),
         eye_radius,
         iris_radius: sum(&|eye| eye.iris),

@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::Vec3;
 use lole_body::{
-    Appearance, BodyError, Bone, Dancer, Expression, Figure, HairStyle, Measurements, PartKind,
-    Pose, SkinnedMesh, Tape,
+    Appearance, BodyError, Bone, Dancer, Expression, Face, Feature, Figure, HairStyle,
+    Measurements, PartKind, Pose, SkinnedMesh, Tape,
 };
 use lole_geom::{Chance, Length, TriangleGrid};
 
@@ -14,7 +14,25 @@ fn drawn(measurements: &Measurements) -> Result<Dancer, BodyError> {
     Dancer::with_appearance(measurements, &Appearance::default())
 }
 
-/// Dancers of every figure at random, over the whole range of measures that a body can be built of.
+/// The measured face, one whose features are all at their least or most, or one by chance, of any age.
+fn face(chance: &mut Chance) -> Appearance {
+    let face = match chance.bits() % 3 {
+        0 => Face::default(),
+        1 => Feature::ALL
+            .into_iter()
+            .fold(Face::default(), |face, feature| {
+                face.with(feature, if chance.falls(0.5) { 1.0 } else { -1.0 })
+            }),
+        _ => Face::of_seed(chance.bits()),
+    };
+    Appearance {
+        face,
+        age_years: chance.falls(0.5).then(|| chance.between(3.0, 100.0)),
+        ..Appearance::default()
+    }
+}
+
+/// Dancers of every figure and face at random, over the whole range of measures that a body can be built of.
 fn dancers(count: u64) -> Vec<Dancer> {
     let mut chance = Chance::new(7);
     let mut found = Vec::new();
@@ -35,7 +53,9 @@ fn dancers(count: u64) -> Vec<Dancer> {
             ..Tape::default()
         };
         // What no body has is refused, and not drawn.
-        let built = Measurements::from_tape(&tape).and_then(|tape| drawn(&tape));
+        let looks = face(&mut chance);
+        let built =
+            Measurements::from_tape(&tape).and_then(|tape| Dancer::with_appearance(&tape, &looks));
         found.extend(built.ok());
         if found.len() as u64 == count {
             break;
@@ -221,6 +241,85 @@ fn eyes_turn_to_what_she_looks_at_and_stay_where_they_are() {
     }
     let behind = eyes(Some(ahead[0] - Vec3::Z * 2.0));
     assert!(behind[0].distance(ahead[0]) < 0.5e-3);
+}
+
+/// Whatever is chosen, all below the head stays to the bit, hair to 8 mm, every point of the face has moved by less
+/// than 1.5 cm, and no triangle of it has turned over.
+#[test]
+fn features_change_the_face_alone_and_turn_nothing_over() {
+    let mut chance = Chance::new(21);
+    for dancer in dancers(4) {
+        let usual = drawn(&dancer.measurements).unwrap();
+        for _ in 0..4 {
+            let looks = Appearance {
+                age_years: None,
+                ..face(&mut chance)
+            };
+            let changed = Dancer::with_appearance(&dancer.measurements, &looks).unwrap();
+            let [before, after] = [&usual, &changed].map(Dancer::drawn);
+            assert_eq!(usual.skin, changed.skin);
+            let neck = usual.skeleton.joint(Bone::Neck).y;
+            for (vertex, (place, moved)) in
+                before.positions.iter().zip(&after.positions).enumerate()
+            {
+                assert!(
+                    place.distance(*moved) < 0.015,
+                    "{vertex} at {place}: {moved}"
+                );
+                assert!(neck < place.y || place == moved, "{vertex} at {place}");
+            }
+            for (part, other) in before.parts.iter().zip(&after.parts) {
+                assert_eq!(
+                    part.triangles.len(),
+                    other.triangles.len(),
+                    "{:?}",
+                    part.kind
+                );
+                let is_hair = matches!(part.kind, PartKind::Hair);
+                for triangle in &part.triangles {
+                    let [a, b, c] = triangle.map(|corner| before.positions[corner as usize]);
+                    let [d, e, f] = triangle.map(|corner| after.positions[corner as usize]);
+                    // Hair lies on the head below, a child's bob on cheek and jaw.
+                    let far = [a.distance(d), b.distance(e), c.distance(f)];
+                    assert!(!is_hair || far.iter().all(|&far| far < 0.008), "{far:?}");
+                    let [old, new] = [(b - a).cross(c - a), (e - d).cross(f - d)];
+                    let is_turned = new.dot(old) < 0.0 && part.kind == PartKind::Skin;
+                    assert!(!is_turned, "a triangle turned over at {a}");
+                }
+            }
+        }
+    }
+}
+
+/// Years raise nothing and take nothing away: the same triangles, at other places of the head alone.
+#[test]
+fn years_change_the_head_alone() {
+    for dancer in dancers(4) {
+        let [young, old] = [20.0, 95.0].map(|age| {
+            let looks = Appearance {
+                age_years: Some(age),
+                ..Appearance::default()
+            };
+            Dancer::with_appearance(&dancer.measurements, &looks).unwrap()
+        });
+        assert_eq!(young.skin, old.skin);
+        let [before, after] = [&young, &old].map(Dancer::drawn);
+        let neck = young.skeleton.joint(Bone::Neck).y;
+        let mut farthest = 0.0_f32;
+        for (part, other) in before.parts.iter().zip(&after.parts) {
+            if part.kind == PartKind::Hair {
+                continue;
+            }
+            assert_eq!(part.triangles, other.triangles);
+            for &corner in part.triangles.iter().flatten() {
+                let [place, moved] = [before, after].map(|mesh| mesh.positions[corner as usize]);
+                assert!(neck - 0.02 < place.y || place == moved, "{place}: {moved}");
+                farthest = farthest.max(place.distance(moved));
+            }
+        }
+        assert!((0.002..0.04).contains(&farthest), "{farthest}");
+        assert!(young.drawn().colors != old.drawn().colors);
+    }
 }
 
 #[test]

@@ -12,6 +12,7 @@
 mod convert;
 mod cost;
 mod error;
+mod face;
 mod garment;
 mod nearest;
 mod parse;
@@ -37,6 +38,7 @@ use lole_print::{PrintLay, PrintMotif};
 
 pub use cost::{CostDesign, Currency, NotionPrices};
 pub use error::{DesignError, Problem};
+pub use face::FaceDesign;
 pub use garment::{GarmentDesign, LinkedPattern};
 pub use lole_garment::GarmentLayer;
 pub use nearest::{likely, nearest};
@@ -56,6 +58,8 @@ pub const VERSION: u64 = 1;
 pub struct Design {
     /// Who wears it.
     pub dancer: DancerDesign,
+    /// What makes her face unlike others.
+    pub face: FaceDesign,
     /// The pāʻū skirt.
     pub skirt: SkirtDesign,
     /// What it is cut from.
@@ -111,6 +115,8 @@ pub struct DancerDesign {
     pub shoulder_breadth_cm: Option<f64>,
     /// Shoulder point to elbow [cm].
     pub upper_arm_length_cm: Option<f64>,
+    /// How old she looks [years]; as her measures say when `None`.
+    pub age_years: Option<f64>,
     /// How the hair is worn.
     pub hair: HairStyle,
     /// How the face is made up.

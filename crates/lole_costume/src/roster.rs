@@ -57,6 +57,8 @@ pub struct RosterDancer {
     pub name: String,
     /// Whose proportions, where a column says so.
     pub figure: Option<Figure>,
+    /// How old she is [years], where the list says so.
+    pub age_years: Option<f64>,
     /// What the tape said [cm], in the order of [`Measure::ALL`]. The hip is among them.
     pub tape_cm: Vec<(Measure, f64)>,
 }
@@ -216,13 +218,20 @@ impl RosterDancer {
 
     /// The design as this dancer wears it: her tape, all else as it is. Heights that the design
     /// gives for its own dancer's body follow the statures; the hem stays where it is above the
-    /// floor, so that a group is level.
+    /// floor, so that a group is level. Where the design chooses no face, she has one of her own, which is that of
+    /// her name.
     #[must_use]
     pub fn design(&self, design: &Design) -> Design {
         let mut worn = design.clone();
         worn.dancer.file = None;
         if let Some(figure) = self.figure {
             worn.dancer.figure = figure;
+        }
+        if self.age_years.is_some() {
+            worn.dancer.age_years = self.age_years;
+        }
+        if worn.face.is_unchosen() {
+            worn.face.seed = seed_of(&self.name);
         }
         for measure in Measure::ALL {
             let mut tape = self.tape_cm.iter();
@@ -235,6 +244,14 @@ impl RosterDancer {
         }
         worn
     }
+}
+
+/// A seed that a name always has, and hardly another name: the hash FNV-1a (Fowler, Noll, Vo) in 32 bits.
+fn seed_of(name: &str) -> u64 {
+    let hash = name.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
+        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
+    });
+    u64::from(hash).max(1)
 }
 
 /// Key of the height of a hem.
@@ -490,6 +507,7 @@ fn dancer(
         line: row.line,
         name: String::new(),
         figure: None,
+        age_years: None,
         tape_cm: Vec::new(),
     };
     let mut problems = Vec::new();
@@ -499,6 +517,7 @@ fn dancer(
             _ if cells::is_formula(cell) => Err(formula(cell)),
             Meaning::Name => name(cell, others).map(|name| dancer.name = name),
             Meaning::Figure => figure(cell).map(|figure| dancer.figure = figure),
+            Meaning::Age => age(cell).map(|age| dancer.age_years = age),
             Meaning::Measure(measure) => length(cell, measure, column.unit, separator)
                 .map(|cm| dancer.tape_cm.extend(cm.map(|cm| (measure, cm)))),
         };
@@ -560,6 +579,21 @@ fn figure(cell: &str) -> Result<Option<Figure>, Sentence> {
         Sentence::new(
             format!("「{cell}」は読めません。女性、男性、子ども のどれかを書くか、空けてください"),
             format!("\"{cell}\" cannot be read; write woman, man or child, or leave it empty"),
+        )
+    })
+}
+
+fn age(cell: &str) -> Result<Option<f64>, Sentence> {
+    columns::age(cell).map_err(|()| {
+        let cell: String = cell.chars().take(40).collect();
+        let [youngest, oldest] = columns::AGES;
+        Sentence::new(
+            format!(
+                "「{cell}」は年齢として読めません。{youngest} から {oldest} までの数を書くか、空けてください"
+            ),
+            format!(
+                "\"{cell}\" is no age; write a number of years from {youngest} to {oldest}, or leave it empty"
+            ),
         )
     })
 }

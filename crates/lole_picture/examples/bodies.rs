@@ -1,13 +1,14 @@
 //! Six bodies side by side, and their faces, each from its tape: the pictures of `docs/body.md`.
 //!
-//! `cargo run --release -p lole_picture --example bodies -- docs` writes `bodies.png`, `faces.png`
-//! and `backs.png` there.
+//! `cargo run --release -p lole_picture --example bodies -- docs` writes `bodies.png`, `faces.png`,
+//! `backs.png` and `people.png` there.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use glam::{Affine3A, Mat3A, Quat, Vec3};
-use lole_body::{Bone, Dancer, Figure, HairStyle, PartKind, Pose};
+use lole_body::appearance::hair_srgb_at;
+use lole_body::{Appearance, Bone, Dancer, Face, Figure, HairStyle, PartKind, Pose};
 use lole_picture::{Strands, dancer_materials};
 use lole_render::{Backend, Camera, Material, Renderer, Scene, SceneMesh, Size};
 
@@ -49,6 +50,22 @@ const SIX: [Who; 6] = [
     ),
 ];
 
+/// Figure, age [years] and face by chance of those who show how faces differ, in rows of six.
+const PEOPLE: [(Figure, f32, u64); 12] = [
+    (Figure::Woman, 24.0, 11),
+    (Figure::Woman, 38.0, 12),
+    (Figure::Woman, 52.0, 13),
+    (Figure::Woman, 60.0, 14),
+    (Figure::Woman, 68.0, 15),
+    (Figure::Woman, 79.0, 16),
+    (Figure::Child, 8.0, 17),
+    (Figure::Child, 8.0, 18),
+    (Figure::Woman, 24.0, 19),
+    (Figure::Woman, 24.0, 20),
+    (Figure::Man, 34.0, 21),
+    (Figure::Man, 66.0, 22),
+];
+
 /// Positions and normals of body and hair's strands where a dancer stands.
 type Placed = [(Vec<Vec3>, Vec<Vec3>); 2];
 
@@ -62,8 +79,11 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn new((figure, measures, hair): Who) -> Result<Self, Box<dyn Error>> {
-        let dancer = people::dancer(figure, measures, (hair, |_| ()))?;
+    fn new(
+        (figure, measures, hair): Who,
+        change: impl FnOnce(&mut Appearance),
+    ) -> Result<Self, Box<dyn Error>> {
+        let dancer = people::dancer(figure, measures, (hair, change))?;
         let world_from_bind = dancer.skeleton.world_from_bind(&standing());
         let drawn = dancer.drawn_body.as_ref().ok_or("she is not drawn")?;
         let posed = [dancer.drawn(), &drawn.strands].map(|mesh| {
@@ -111,7 +131,8 @@ fn standing() -> Pose {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "docs".into()));
-    let six = (SIX.into_iter().map(Drawn::new)).collect::<Result<Vec<_>, _>>()?;
+    let six =
+        (SIX.into_iter().map(|who| Drawn::new(who, |_| ()))).collect::<Result<Vec<_>, _>>()?;
     let middle = 0.5 * APART * (six.len() - 1) as f32;
     let place = |index: usize| Vec3::X * (APART * index as f32 - middle);
     let bodies: Vec<_> = (six.iter().enumerate())
@@ -129,20 +150,50 @@ fn main() -> Result<(), Box<dyn Error>> {
         .map(|(index, drawn)| (drawn, drawn.placed(2.5, place(index))))
         .collect();
     draw(&folder.join("backs.png"), BODIES, whole, &backs)?;
-    // All heads at one height, as near as they fill the picture.
-    let heads: Vec<_> = (six.iter().enumerate())
+    let heads = heads_of(&six);
+    draw(&folder.join("faces.png"), FACES, faces(), &heads)?;
+    let people = PEOPLE.into_iter().map(|(figure, age, seed)| {
+        let stature = (figure == Figure::Child).then_some(128.0);
+        let who = (figure, [stature, None, None, None], HairStyle::OfFigure);
+        Drawn::new(who, |look| {
+            look.face = Face::of_seed(seed);
+            look.age_years = Some(age);
+            look.hair_srgb = hair_srgb_at(age, look.hair_srgb);
+        })
+    });
+    let people = people.collect::<Result<Vec<_>, _>>()?;
+    let (above, below) = people.split_at(people.len() / 2);
+    let rows = [above, below].map(|row| drawn(FACES, faces(), &heads_of(row)));
+    let [above, below] = rows;
+    save(
+        &folder.join("people.png"),
+        FACES,
+        &[above?, below?].concat(),
+    )
+}
+
+/// How far apart heads stand [m].
+const HEADS_APART: f32 = 0.27;
+
+/// Where faces are looked at from: all of a picture's width is six of them.
+fn faces() -> Camera {
+    let height = -0.015;
+    Camera {
+        eye: Vec3::new(0.0, height, 4.0),
+        target: Vec3::new(0.0, height, 0.0),
+        vertical_fov: 0.1,
+    }
+}
+
+/// Six heads at one height, as near as they fill the picture, every other one turned.
+fn heads_of(six: &[Drawn]) -> Vec<(&Drawn, Placed)> {
+    (six.iter().enumerate())
         .map(|(index, drawn)| {
             let turn = if index % 2 == 0 { 0.0 } else { -0.55 };
-            let to = Vec3::X * (0.27 * (index as f32 - 2.5)) - Vec3::Y * drawn.head.y;
+            let to = Vec3::X * (HEADS_APART * (index as f32 - 2.5)) - Vec3::Y * drawn.head.y;
             (drawn, drawn.placed(turn, to))
         })
-        .collect();
-    draw(
-        &folder.join("faces.png"),
-        FACES,
-        camera(-0.015, 0.4, 4.0),
-        &heads,
-    )
+        .collect()
 }
 
 fn draw(
@@ -151,6 +202,15 @@ fn draw(
     camera: Camera,
     bodies: &[(&Drawn, Placed)],
 ) -> Result<(), Box<dyn Error>> {
+    save(path, size, &drawn(size, camera, bodies)?)
+}
+
+/// Pixels of a picture, RGB.
+fn drawn(
+    size: Size,
+    camera: Camera,
+    bodies: &[(&Drawn, Placed)],
+) -> Result<Vec<u8>, Box<dyn Error>> {
     let mut scene = Scene::studio(camera);
     let strands: Vec<Option<Strands>> = (bodies.iter())
         .map(|(drawn, _)| Strands::of(&drawn.dancer, &drawn.materials))
@@ -173,13 +233,17 @@ fn draw(
         }
     }
     let image = Renderer::new(Backend::Cpu, size)?.render(&scene)?;
-    let mut encoder = png::Encoder::new(std::fs::File::create(path)?, size.width, size.height);
+    let pixels = (image.pixels.chunks_exact(4)).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+    Ok(pixels.collect())
+}
+
+/// Writes pictures of one size below each other.
+fn save(path: &Path, size: Size, pixels: &[u8]) -> Result<(), Box<dyn Error>> {
+    let height = u32::try_from(pixels.len())? / (3 * size.width);
+    let mut encoder = png::Encoder::new(std::fs::File::create(path)?, size.width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::High);
-    let pixels: Vec<u8> = (image.pixels.chunks_exact(4))
-        .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
-        .collect();
-    encoder.write_header()?.write_image_data(&pixels)?;
+    encoder.write_header()?.write_image_data(pixels)?;
     Ok(())
 }

@@ -628,10 +628,11 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
         for garment in garments.iter_mut().filter(|it| it.is_dressed()) {
             garment.print = PrintChoice::default();
         }
-        // Hair and colors are not in the way of cloth.
+        // Face, hair and colors are not in the way of cloth.
         let dancer = DancerDesign {
             hair: HairStyle::default(),
             makeup: Makeup::default(),
+            age_years: None,
             skin_color: None,
             hair_color: None,
             leotard_color: None,

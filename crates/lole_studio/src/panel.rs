@@ -16,6 +16,7 @@ mod frame;
 mod garment;
 mod garments;
 mod graphs;
+mod head;
 mod hindrance;
 mod knob;
 mod making;
@@ -100,7 +101,14 @@ pub const DRAWERS: &[Drawer] = &[
     Drawer {
         tab: Tab::Dancer,
         title: text::DANCER,
-        panels: &[panel(text::TAPE, dancer::show)],
+        panels: &[
+            panel(text::TAPE, dancer::show),
+            Panel {
+                title: text::HEAD,
+                is_shown: head::is_hers,
+                show: head::show,
+            },
+        ],
     },
     Drawer {
         tab: Tab::Costume,

@@ -5,7 +5,7 @@ use lole_geom::triangle_grid::{TriangleGrid, blend};
 
 use super::face::{self, LidPoint};
 use super::weld::{self, Seam};
-use super::{DrawnBody, armhole, eyes, paint};
+use super::{DrawnBody, armhole, eyes, features, paint};
 use crate::parts::{self, HeadPart, Part};
 use crate::skin_build::{Half, add_hinges};
 use crate::skin_weights::Row;
@@ -50,8 +50,9 @@ pub(crate) fn build_drawn(
         skin.sew(&mut half, &mut part, (colors, &nails), skeleton.joint(tip));
     }
     let mut head = parts::head(&made_of.head)?;
+    features::shape(&mut head, &made_of.head, appearance)?;
     place_head(&mut head, shape);
-    let colors = paint::head(&head, figure, appearance.makeup);
+    let colors = paint::head(&head, figure, appearance);
     let crown = Vec3::new(0.0, shape.body.height, shape.body.head.center.z);
     let first = skin.sew(&mut half, &mut head.part, (colors.clone(), &[]), crown);
     let renamed = half.compact();

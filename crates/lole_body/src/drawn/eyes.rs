@@ -8,6 +8,7 @@ use lole_geom::srgb::linear_from_srgb;
 use lole_geom::trig;
 
 use super::face::{Eyeball, LidPoint, with_upper_lid};
+use crate::appearance::Feature;
 use crate::parts::HeadPart;
 use crate::surface::warp::smooth_step;
 use crate::{Appearance, Bone, Figure, MeshPart, PartKind, SkinnedMesh};
@@ -36,6 +37,10 @@ const BROW_WIDTHS: [f32; 13] = [
 ];
 /// How much lighter brows are than hair, linear.
 const BROW_LIGHT: Vec3 = Vec3::new(0.055, 0.038, 0.028);
+/// The lightest hair of a brow, linear.
+const BROW_MOST: f32 = 0.14;
+/// How much thicker the thickest brows are.
+const BROW_THICKNESS: f32 = 0.45;
 /// How far brows lie over the skin [m].
 const BROW_LIFT: f32 = 0.35e-3;
 
@@ -242,7 +247,8 @@ impl Loose {
                 Figure::Man => 3.4e-3,
                 Figure::Child => 2.1e-3,
                 Figure::OfStature | Figure::Woman => 2.6e-3,
-            };
+            }
+            * (1.0 + BROW_THICKNESS * appearance.face.feature(Feature::BrowThickness));
         let on = |of: &[Vec3], (corners, shares): &([u32; 3], [f32; 3])| -> Vec3 {
             (corners.iter().zip(shares))
                 .map(|(&corner, &share)| of[corner as usize] * share)
@@ -253,7 +259,9 @@ impl Loose {
             .iter()
             .map(|it| on(&head.part.positions, it))
             .collect();
-        let brow = linear(appearance.hair_srgb) + BROW_LIGHT;
+        let hair = linear(appearance.hair_srgb);
+        // Brows turn grey, hardly ever white.
+        let brow = hair * (BROW_MOST / hair.max_element().max(BROW_MOST)) + BROW_LIGHT;
         let mut last: Option<u32> = None;
         for (index, anchor) in head.brow.iter().enumerate() {
             let normal = on(&normals, anchor).normalize_or(Vec3::Z);

@@ -3,9 +3,11 @@
 use glam::Vec3;
 use lole_geom::trig;
 
+use super::features;
+use crate::appearance::oldness;
 use crate::parts::{HeadPart, Part};
 use crate::surface::warp::smooth_step;
-use crate::{Figure, Makeup};
+use crate::{Appearance, Figure, Makeup};
 
 /// The skin that colors were chosen on; all of them linear.
 const SKIN: Vec3 = Vec3::new(0.74, 0.50, 0.385);
@@ -73,6 +75,12 @@ impl Tones {
         }
     }
 
+    /// Blood shows less through older skin.
+    fn fade(&mut self, old: f32) {
+        self.cheeks *= 1.0 - 0.3 * old;
+        self.lips *= 1.0 - 0.25 * old;
+    }
+
     const fn of_figure(figure: Figure) -> Self {
         match figure {
             Figure::OfStature | Figure::Woman => Self::LIGHT,
@@ -132,8 +140,9 @@ pub(super) fn nails(part: &mut Part, colors: &mut Vec<Vec3>) -> Vec<[u32; 3]> {
 }
 
 /// Of a head.
-pub(super) fn head(head: &HeadPart, figure: Figure, makeup: Makeup) -> Vec<Vec3> {
-    let tones = Tones::of(makeup, figure);
+pub(super) fn head(head: &HeadPart, figure: Figure, appearance: &Appearance) -> Vec<Vec3> {
+    let mut tones = Tones::of(appearance.makeup, figure);
+    tones.fade(oldness(appearance.age_years));
     let part = &head.part;
     let mut colors: Vec<Vec3> = part.open.iter().map(|&open| shaded(open)).collect();
     let tint = |color: &mut Vec3, to: Vec3, share: f32| *color = color.lerp(to, share);
@@ -144,13 +153,20 @@ pub(super) fn head(head: &HeadPart, figure: Figure, makeup: Makeup) -> Vec<Vec3>
         let open = part.open[point as usize];
         tint(&mut colors[point as usize], EAR * open, 0.25);
     }
-    let [tip, nostril] = [head.nose_tip, head.nostril].map(|point| part.positions[point as usize]);
+    let [tip, nostril] =
+        [head.places.pronasale, head.places.nostril].map(|point| part.positions[point as usize]);
     let size = head.eye_radius / 0.0143;
     for (color, &place) in colors.iter_mut().zip(&part.positions) {
         let near =
             |center: Vec3, reach: f32| smooth_step(1.0 - place.distance(center) / (reach * size));
         tint(color, CHEEK, 0.7 * tones.cheeks * near(tip, 0.02));
         tint(color, NOSTRIL, 0.45 * near(nostril, 0.005));
+    }
+    if let Some(lined) = features::lined(head, appearance.age_years) {
+        for (color, light) in colors.iter_mut().zip(lined) {
+            // As in any hollow, red goes last.
+            *color *= Vec3::new(light, light * light, light * light);
+        }
     }
     shadow(head, tones.shadow, &mut colors);
     let lips = tones.rouge * tones.lip_tone;

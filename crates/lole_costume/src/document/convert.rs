@@ -1,5 +1,6 @@
 //! From the document's units to what the other crates work with.
 
+use lole_body::appearance::hair_srgb_at;
 use lole_body::{Appearance, CapsuleLayout, Measure, Measurements, Tape};
 use lole_cloth::wind::Wind;
 use lole_cloth::{Crossings, Fabric};
@@ -198,15 +199,20 @@ impl Design {
         }
     }
 
-    /// The dancer's hair and colors.
+    /// The dancer's face, hair and colors.
     #[must_use]
     pub fn appearance(&self) -> Appearance {
         let (dancer, usual) = (&self.dancer, Appearance::default());
+        #[expect(clippy::cast_possible_truncation, reason = "years below 100")]
+        let age_years = dancer.age_years.map(|age| age as f32);
+        let natural = age_years.map_or(usual.hair_srgb, |age| hair_srgb_at(age, usual.hair_srgb));
         Appearance {
+            face: self.face.face(),
+            age_years,
             hair: dancer.hair,
             makeup: dancer.makeup,
             skin_srgb: dancer.skin_color.unwrap_or(usual.skin_srgb),
-            hair_srgb: dancer.hair_color.unwrap_or(usual.hair_srgb),
+            hair_srgb: dancer.hair_color.unwrap_or(natural),
             leotard_srgb: dancer.leotard_color.unwrap_or(usual.leotard_srgb),
         }
     }

@@ -9,6 +9,7 @@ mod rows;
 #[macro_use]
 mod print_rows;
 mod cost;
+mod face;
 mod garments;
 mod motion;
 mod tables;

@@ -24,6 +24,7 @@ pub(super) struct Column {
 pub(super) enum Meaning {
     Name,
     Figure,
+    Age,
     Measure(Measure),
 }
 
@@ -32,6 +33,7 @@ impl Meaning {
         match self {
             Self::Name => words("名前", "name"),
             Self::Figure => words("体型", "figure"),
+            Self::Age => words("年齢", "age"),
             Self::Measure(measure) => measure.words(),
         }
     }
@@ -56,6 +58,10 @@ const HEADS: &[(Meaning, &[&str])] = &[
     (
         Meaning::Figure,
         &["体型", "体形", "性別", "figure", "sex", "gender"],
+    ),
+    (
+        Meaning::Age,
+        &["年齢", "年令", "年齢歳", "歳", "age", "ageyears", "years"],
     ),
     (
         Meaning::Measure(Measure::Stature),
@@ -271,3 +277,20 @@ pub(super) fn figure(cell: &str) -> Result<Option<Figure>, ()> {
         _ => return Err(()),
     }))
 }
+
+/// How old a cell says she is [years]; `None` of an empty one.
+pub(super) fn age(cell: &str) -> Result<Option<f64>, ()> {
+    let cell = narrow(cell);
+    let cell = cell.trim();
+    let number = cell.trim_end_matches(['歳', '才']).trim();
+    match number {
+        "" | "-" => Ok(None),
+        _ => match number.parse() {
+            Ok(years) if (AGES[0]..=AGES[1]).contains(&years) => Ok(Some(years)),
+            _ => Err(()),
+        },
+    }
+}
+
+/// Youngest and oldest dancer [years].
+pub(super) const AGES: [f64; 2] = [3.0, 100.0];

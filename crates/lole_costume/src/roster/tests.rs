@@ -311,6 +311,31 @@ fn a_design_is_worn_by_another_dancer_with_the_same_hem() {
     assert_eq!(worn.skirt, design.skirt);
 }
 
+/// Everybody of a list has a face of her own, always the same one, unless the design chooses one for all.
+#[test]
+fn everybody_has_her_own_face_and_years() {
+    let roster = read_text("氏名,ヒップ,年齢(歳)\nあや,91,６７歳\nみき,95,\naya,91,8\n");
+    assert!(roster.notes.is_empty(), "{:?}", roster.notes);
+    let ages: Vec<Option<f64>> = roster.dancers.iter().map(|it| it.age_years).collect();
+    assert_eq!(ages, [Some(67.0), None, Some(8.0)]);
+    let mut design = Design::default();
+    design.dancer.age_years = Some(30.0);
+    let worn: Vec<Design> = roster.dancers.iter().map(|it| it.design(&design)).collect();
+    assert_eq!(worn[1].dancer.age_years, Some(30.0));
+    assert_eq!(worn[0].dancer.age_years, Some(67.0));
+    assert_eq!(worn[0].face, roster.dancers[0].design(&design).face);
+    for [a, b] in [[0, 1], [1, 2], [0, 2]] {
+        assert_ne!(worn[a].face.face(), worn[b].face.face());
+    }
+    design.face.features[0] = Some(0.5);
+    let alike = roster.dancers.iter().map(|it| it.design(&design).face);
+    assert!(alike.into_iter().all(|face| face == design.face));
+    for wrong in ["2", "101", "-8", "nan", "sixty", "1e9"] {
+        let told = problem(&format!("name,hip,age\na,91,{wrong}\n"));
+        assert!(told.starts_with("line 2, column 3 (age)"), "{told}");
+    }
+}
+
 /// A skirt worn at 88 cm by a dancer of 160 cm is worn at 96.8 cm by one of 176 cm; the hem stays.
 #[test]
 fn heights_on_the_body_follow_the_stature() {

@@ -1,7 +1,6 @@
 //! How she is seen: floor, background and light of window, stills and film, and how the film is shot.
 
 use eframe::egui::{TextEdit, Ui};
-use lole_body::{HairStyle, Makeup};
 use lole_costume::document::{CameraWork, Gaze, MotionBlur, StageMood, StageSet};
 use lole_language::Words;
 use lole_picture::film::title::MOST_LETTERS;
@@ -34,27 +33,10 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         studio.change(|design| design.stage.gaze = gaze);
     }
     title(ui, studio, stage.title);
-    // Someone's avatar has a head of its own.
-    if studio.design().dancer.file.is_none() {
-        head(ui, studio);
-    }
-}
-
-/// Hair and makeup.
-fn head(ui: &mut Ui, studio: &mut Studio) {
-    let (hair, makeup) = (studio.design().dancer.hair, studio.design().dancer.makeup);
-    let styles = HairStyle::ALL.map(|style| (style, style.name()));
-    if let Some(style) = choose(ui, studio, (text::HAIR, &styles), hair) {
-        studio.change(|design| design.dancer.hair = style);
-    }
-    let makeups = Makeup::ALL.map(|makeup| (makeup, makeup.name()));
-    if let Some(makeup) = choose(ui, studio, (text::MAKEUP, &makeups), makeup) {
-        studio.change(|design| design.dancer.makeup = makeup);
-    }
 }
 
 /// A list that drops down; the new choice.
-fn choose<T: PartialEq + Copy>(
+pub(super) fn choose<T: PartialEq + Copy>(
     ui: &mut Ui,
     studio: &Studio,
     (name, choices): (Words, &[(T, Words)]),

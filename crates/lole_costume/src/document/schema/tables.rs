@@ -10,6 +10,7 @@ use lole_cloth::wind::WindLaw;
 use lole_language::words;
 
 use super::cost::COST;
+use super::face::FACE;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
 use crate::document::{
@@ -105,7 +106,7 @@ const CAPSULE_SHAPES: &[(&str, CapsuleShape)] = &[
 
 /// The tables in the order they are written.
 pub const TABLES: &[Table] = &[
-    DANCER, SKIRT, FABRIC, PRINT, COST, MOTION, WIND, STAGE, METHOD,
+    DANCER, FACE, SKIRT, FABRIC, PRINT, COST, MOTION, WIND, STAGE, METHOD,
 ];
 
 const DANCER: Table = Table {
@@ -232,6 +233,13 @@ const DANCER: Table = Table {
             dancer.upper_arm_length_cm,
             "肩先からひじまで",
             "shoulder point to elbow"
+        ),
+        number_if_known!(
+            "age_years",
+            3.0..=100.0,
+            dancer.age_years,
+            "顔と髪に見える年齢（歳）",
+            "how old face and hair look"
         ),
         choice!(
             "hair",
