@@ -1,5 +1,7 @@
 //! What is danced: a step of hula, or a recording.
 
+mod breath;
+
 use std::sync::Arc;
 
 use glam::Vec2;
@@ -75,11 +77,15 @@ impl Danced {
         Ok(Self::Step(Box::new(dance)))
     }
 
-    /// Pose at `time` [s]; the first one up to 0.
+    /// Pose at `time` [s]; the first one up to 0. Who dances a step breathes.
     #[must_use]
     pub fn pose_at(&self, time: f32) -> Pose {
         match self {
-            Self::Step(dance) => dance.pose_at(time),
+            Self::Step(dance) => {
+                let mut pose = dance.pose_at(time);
+                breath::breathe(&mut pose, time, [dance.lead_in(), dance.period()]);
+                pose
+            }
             Self::Recording(clip) => clip.pose_at(time),
         }
     }
