@@ -6,6 +6,7 @@
 //! of an axis at once, would have needed a rasterizer of their own beside it.
 
 mod raster;
+pub(crate) mod reflection;
 mod resolve;
 mod tiles;
 
@@ -18,6 +19,7 @@ use crate::srgb::SrgbTable;
 use crate::surroundings::Paints;
 use crate::{Image, Scene, Size};
 use rayon::prelude::*;
+use reflection::Reflection;
 use resolve::Picture;
 use tiles::{TILE, TileGrid};
 
@@ -42,6 +44,7 @@ impl CpuRenderer {
         let before = self.bake.take().filter(|_| light == RoomLight::AsBefore);
         let bake = Bake::lit(scene, &geometry, before);
         let frame = Frame::new(scene, size, &bake);
+        let reflection = Reflection::of(scene, &geometry, (&bake, &frame), &self.srgb);
         let corners = raster::screen_corners(&geometry, &frame);
         let grid = TileGrid::new(size, &geometry, &corners);
         let picture = Picture {
@@ -56,7 +59,7 @@ impl CpuRenderer {
                 tangent: frame.key_toward.w,
                 softest: SOFTEST_DISTANCE,
             },
-            paints: Paints::of(&scene.background, &self.srgb),
+            paints: Paints::of(&scene.background, &self.srgb, reflection.as_ref()),
             surfaces: scene
                 .meshes
                 .iter()

@@ -1,6 +1,7 @@
 //! The color of what is behind the meshes, pixel by pixel; its twin is `gpu/shade.wgsl`: line by line alike, same
 //! names.
 
+use crate::cpu::reflection::Reflection;
 use crate::frame::Frame;
 use crate::shade::{pixel_noise, texture_lod};
 use crate::srgb::SrgbTable;
@@ -9,6 +10,9 @@ use glam::{Vec2, Vec3, Vec4};
 use lole_geom::trig;
 use std::f32::consts::TAU;
 
+/// What a floor mirrors of meshes right before the eye, over what it mirrors of them far away.
+const POLISH: f32 = 0.65;
+
 /// What a landscape is painted with.
 pub(crate) struct Paints<'a> {
     srgb: &'a SrgbTable,
@@ -16,11 +20,17 @@ pub(crate) struct Paints<'a> {
     mirrored: &'a Texture,
     near: &'a Texture,
     beyond: &'a Texture,
+    /// What floors mirror of the meshes.
+    reflection: Option<&'a Reflection>,
 }
 
 impl<'a> Paints<'a> {
     /// Those of a backdrop; `None` where it is no landscape.
-    pub(crate) fn of(background: &'a Background, srgb: &'a SrgbTable) -> Option<Self> {
+    pub(crate) fn of(
+        background: &'a Background,
+        srgb: &'a SrgbTable,
+        reflection: Option<&'a Reflection>,
+    ) -> Option<Self> {
         let Background::Landscape(landscape) = background else {
             return None;
         };
@@ -31,6 +41,7 @@ impl<'a> Paints<'a> {
             mirrored,
             near,
             beyond,
+            reflection,
         })
     }
 }
@@ -47,7 +58,7 @@ pub(crate) fn background(
     let down = place.y * place.y * (3.0 - 2.0 * place.y);
     let base = if let Some(paints) = paints {
         let ray = frame.ray(pixel).normalize_or(Vec3::NEG_Z);
-        landscape(frame, paints, ray, noise)
+        landscape(frame, paints, ray, (place, noise))
     } else {
         let top = frame.background_top.truncate();
         top.lerp(frame.background_bottom.truncate(), down)
@@ -61,8 +72,8 @@ pub(crate) fn background(
     (color + color.map(|c| c.max(0.0).sqrt()) * grain).max(Vec3::ZERO)
 }
 
-/// The panorama or a floor in a direction.
-fn landscape(frame: &Frame, paints: &Paints<'_>, ray: Vec3, noise: f32) -> Vec3 {
+/// The panorama or a floor in a direction, which a place of the picture shows.
+fn landscape(frame: &Frame, paints: &Paints<'_>, ray: Vec3, (place, noise): (Vec2, f32)) -> Vec3 {
     let drop = frame.ground.x - frame.eye.y;
     let seen = turned(frame, ray);
     if ray.y > -1.0e-5 || drop >= 0.0 {
@@ -74,7 +85,7 @@ fn landscape(frame: &Frame, paints: &Paints<'_>, ray: Vec3, noise: f32) -> Vec3 
         let uv = far_uv(frame, paints, seen);
         standing = (paints.far).sample_with_alpha(paints.srgb, uv, frame.panorama.z);
     }
-    let floor = floor(frame, paints, seen, [drop / ray.y, noise]);
+    let floor = floor(frame, paints, seen, (place, [drop / ray.y, noise]));
     floor.lerp(standing.truncate(), standing.w)
 }
 
@@ -103,7 +114,12 @@ fn wave(turns: f32) -> f32 {
 }
 
 /// The floor in a direction, a `way` along it [m]; by `noise` one level of detail turns into the next.
-fn floor(frame: &Frame, paints: &Paints<'_>, seen: Vec3, [way, noise]: [f32; 2]) -> Vec3 {
+fn floor(
+    frame: &Frame,
+    paints: &Paints<'_>,
+    seen: Vec3,
+    (place, [way, noise]): (Vec2, [f32; 2]),
+) -> Vec3 {
     let hit = turned(frame, frame.eye.truncate()) + seen * way;
     let at = Vec2::new(hit.x, hit.z);
     let from_middle = at.length();
@@ -163,6 +179,12 @@ fn floor(frame: &Frame, paints: &Paints<'_>, seen: Vec3, [way, noise]: [f32; 2])
         let upward = far_uv(frame, paints, Vec3::new(seen.x, waves - seen.y, seen.z));
         let mirrored = paints.mirrored.sample(paints.srgb, upward, 0.0);
         base = base.lerp(mirrored, share.min(1.0));
+    }
+    if mirrors > 0.0 {
+        // Who stands on polished boards is seen in them from above, too.
+        let polish = mirrors * (POLISH + (1.0 - POLISH) * grazing * grazing * grazing);
+        let reflected = (paints.reflection).map_or(Vec4::ZERO, |it| it.sample(place));
+        base = base * (1.0 - polish * reflected.w) + reflected.truncate() * polish;
     }
     if foam > 0.0 {
         let swash = smooth_between(-0.5 * foam, -0.1 * foam, out);

@@ -8,62 +8,13 @@ use lole_geom::trig;
 use lole_render::backdrop::{Floor, Panorama, Shore};
 use lole_render::{
     BackShade, Backend, Background, Camera, Gradient, Ground, Image, KeyLight, Landscape, LightRig,
-    Material, RenderError, Renderer, RoomLight, Scene, SceneMesh, Sides, Size, Texture,
+    Material, RenderError, Renderer, RoomLight, Scene, Sides, Size, Texture,
 };
+use shapes::{Shape, matt, sphere};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
-/// Columns of a mesh, owned.
-#[derive(Default)]
-struct Shape {
-    positions: Vec<Vec3>,
-    uvs: Vec<Vec2>,
-    triangles: Vec<[u32; 3]>,
-}
-
-impl Shape {
-    fn with<'a>(&'a self, material: &'a Material) -> SceneMesh<'a> {
-        SceneMesh {
-            positions: &self.positions,
-            normals: &[],
-            uvs: &self.uvs,
-            colors: &[],
-            triangles: &self.triangles,
-            material,
-        }
-    }
-}
-
-fn sphere(center: Vec3, radius: f32) -> Shape {
-    let mut shape = Shape::default();
-    let (rings, columns) = (24_u16, 48_u16);
-    for ring in 0..=rings {
-        let polar = f32::from(ring) / f32::from(rings) * PI;
-        for column in 0..columns {
-            let around = f32::from(column) / f32::from(columns) * TAU;
-            let outward = Vec3::new(
-                trig::sin(polar) * trig::sin(around),
-                trig::cos(polar),
-                trig::sin(polar) * trig::cos(around),
-            );
-            shape.positions.push(center + outward * radius);
-        }
-    }
-    let columns = u32::from(columns);
-    for ring in 0..u32::from(rings) {
-        for column in 0..columns {
-            let next = (column + 1) % columns;
-            let (top, below) = (ring * columns, (ring + 1) * columns);
-            shape
-                .triangles
-                .push([top + column, below + column, top + next]);
-            shape
-                .triangles
-                .push([top + next, below + column, below + next]);
-        }
-    }
-    shape
-}
+mod shapes;
 
 /// A square that faces `+Z`, around `center`.
 fn square(center: Vec3, half: f32) -> Shape {
@@ -87,15 +38,6 @@ fn floor(height: f32, half: f32) -> Shape {
         *position = Vec3::new(position.x, height, -position.y);
     }
     shape
-}
-
-fn matt(color: [f32; 3]) -> Material {
-    Material {
-        base_color: color,
-        roughness: 1.0,
-        specular: 0.0,
-        ..Material::default()
-    }
 }
 
 fn front_camera(distance: f32) -> Camera {

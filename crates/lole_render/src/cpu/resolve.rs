@@ -10,7 +10,7 @@ use crate::prepare::Geometry;
 use crate::shade::{self, KeyShadow, Point, Surface};
 use crate::srgb::SrgbTable;
 use crate::surroundings::{self, Paints};
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 
 /// Everything that pixels are made of.
 pub(super) struct Picture<'a> {
@@ -43,19 +43,49 @@ pub(super) fn tile_pixels(
     bytes
 }
 
+/// Light of the meshes in the texels of a tile, times how much of each is covered, and how much that is.
+pub(super) fn tile_covered(
+    picture: &Picture<'_>,
+    grid: &TileGrid,
+    tile: usize,
+    samples: &Samples,
+) -> Vec<Vec4> {
+    let origin = grid.origin(tile);
+    let texels = samples.triangles.iter().enumerate();
+    let covered = texels.map(|(index, seen)| {
+        let corner = origin + Vec2::new((index % TILE) as f32, (index / TILE) as f32);
+        let mut sum = Vec4::ZERO;
+        for (triangle, place, count) in shown(seen) {
+            if triangle != NOTHING {
+                let color = surface_color(picture, triangle, corner + place);
+                sum += color.extend(1.0) * (count * 0.25);
+            }
+        }
+        sum
+    });
+    covered.collect()
+}
+
+/// What a pixel shows: each triangle, or [`NOTHING`], with the mean place and the number of its samples.
+fn shown(seen: &[u32; 4]) -> impl Iterator<Item = (u32, Vec2, f32)> {
+    let first = |&(sample, triangle): &(usize, &u32)| !seen[..sample].contains(triangle);
+    (seen.iter().enumerate())
+        .filter(first)
+        .map(|(_, &triangle)| {
+            let mut place = Vec2::ZERO;
+            let mut count = 0.0;
+            for (other, _) in seen.iter().enumerate().filter(|(_, t)| **t == triangle) {
+                place += Vec2::new(SAMPLE_X[other], SAMPLE_Y[other]);
+                count += 1.0;
+            }
+            (triangle, place / count, count)
+        })
+}
+
 /// Mean of the four samples of the pixel with top left corner `corner`.
 fn pixel_color(picture: &Picture<'_>, corner: Vec2, seen: &[u32; 4]) -> Vec3 {
     let mut color = Vec3::ZERO;
-    for (sample, &triangle) in seen.iter().enumerate() {
-        if seen[..sample].contains(&triangle) {
-            continue;
-        }
-        let mut place = Vec2::ZERO;
-        let mut count = 0.0;
-        for (other, _) in seen.iter().enumerate().filter(|(_, t)| **t == triangle) {
-            place += Vec2::new(SAMPLE_X[other], SAMPLE_Y[other]);
-            count += 1.0;
-        }
+    for (triangle, place, count) in shown(seen) {
         let share = if triangle == NOTHING {
             let middle = corner + 0.5;
             let hit = surroundings::floor_hit(picture.frame, middle);
@@ -65,7 +95,7 @@ fn pixel_color(picture: &Picture<'_>, corner: Vec2, seen: &[u32; 4]) -> Vec3 {
             };
             surroundings::background(picture.frame, picture.paints.as_ref(), middle, ground)
         } else {
-            surface_color(picture, triangle, corner + place / count)
+            surface_color(picture, triangle, corner + place)
         };
         color += share * (count * 0.25);
     }

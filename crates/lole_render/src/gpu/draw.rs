@@ -4,10 +4,12 @@ use super::device::Device;
 use super::paints::PaintViews;
 use super::pipeline::{COLOR, DEPTH, Pipelines, SAMPLES, Vertex};
 use crate::bake::{Bake, GROUND_CELLS};
+use crate::cpu::reflection::Reflection;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
 use crate::renderer::RoomLight;
 use crate::shade::Surface;
+use crate::srgb::SrgbTable;
 use crate::{Image, RenderError, Scene, Size, Texture};
 use std::sync::Arc;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
@@ -20,6 +22,7 @@ pub(crate) struct GpuRenderer {
     sampler: wgpu::Sampler,
     paints: PaintViews,
     blank: wgpu::TextureView,
+    srgb: SrgbTable,
     /// Textures that the last picture used, with their copies on the adapter.
     uploaded: Vec<(Arc<Texture>, wgpu::TextureView)>,
     /// The light of the picture before.
@@ -63,6 +66,7 @@ impl GpuRenderer {
             sampler,
             paints,
             blank,
+            srgb: SrgbTable::new(),
             uploaded: Vec::new(),
             bake: None,
         })
@@ -110,6 +114,8 @@ impl GpuRenderer {
             .push_error_scope(wgpu::ErrorFilter::Validation);
         self.upload_textures(scene);
         self.paints.upload(&self.gpu, &scene.background);
+        let reflection = Reflection::of(scene, &geometry, (&bake, &frame), &self.srgb);
+        self.paints.reflect(&self.gpu, reflection.as_ref());
         self.draw(scene, &geometry, &bake, &frame);
         self.bake = Some(bake);
         checked(scope, "drawing")?;

@@ -37,6 +37,7 @@ struct Surface {
 @group(0) @binding(9) var beyond_paint: texture_2d<f32>;
 @group(0) @binding(10) var paint_sampler: sampler;
 @group(0) @binding(11) var mirrored_paint: texture_2d<f32>;
+@group(0) @binding(12) var reflection: texture_2d<f32>;
 @group(1) @binding(0) var<uniform> surface: Surface;
 @group(1) @binding(1) var print: texture_2d<f32>;
 @group(1) @binding(2) var print_sampler: sampler;
@@ -44,6 +45,7 @@ struct Surface {
 const LIFT_TEXELS: f32 = 2.0;
 const WRAP_DEPTH: f32 = 0.06;
 const STEEPEST: f32 = 0.1;
+const POLISH: f32 = 0.65;
 const WRAP_END: f32 = 0.4;
 const TOE: f32 = 0.01;
 const PI: f32 = 3.14159265;
@@ -261,7 +263,7 @@ fn background_fragment(in: BackgroundFragment) -> @location(0) vec4<f32> {
     let down = place.y * place.y * (3.0 - 2.0 * place.y);
     var base = mix(frame.background_top.rgb, frame.background_bottom.rgb, down);
     if frame.turned.w > 0.5 {
-        base = landscape(normalize_or(ray, vec3<f32>(0.0, 0.0, -1.0)), noise);
+        base = landscape(normalize_or(ray, vec3<f32>(0.0, 0.0, -1.0)), place, noise);
     }
     let from_middle = (place - vec2<f32>(0.5, 0.52)) * vec2<f32>(1.5, 1.25);
     let corner = min(dot(from_middle, from_middle), 1.0);
@@ -272,7 +274,7 @@ fn background_fragment(in: BackgroundFragment) -> @location(0) vec4<f32> {
     return vec4<f32>(written(light), 1.0);
 }
 
-fn landscape(ray: vec3<f32>, noise: f32) -> vec3<f32> {
+fn landscape(ray: vec3<f32>, place: vec2<f32>, noise: f32) -> vec3<f32> {
     let drop = frame.ground.x - frame.eye.y;
     let seen = turned(ray);
     if ray.y > -1.0e-5 || drop >= 0.0 {
@@ -282,7 +284,7 @@ fn landscape(ray: vec3<f32>, noise: f32) -> vec3<f32> {
     if ray.y > frame.panorama.y {
         standing = textureSampleLevel(far_paint, paint_sampler, far_uv(seen), frame.panorama.z);
     }
-    let below = floor_color(seen, drop / ray.y, noise);
+    let below = floor_color(seen, place, drop / ray.y, noise);
     return mix(below, standing.rgb, standing.a);
 }
 
@@ -308,7 +310,7 @@ fn wave(turns: f32) -> f32 {
     return part * (8.0 - 16.0 * abs(part));
 }
 
-fn floor_color(seen: vec3<f32>, way: f32, noise: f32) -> vec3<f32> {
+fn floor_color(seen: vec3<f32>, place: vec2<f32>, way: f32, noise: f32) -> vec3<f32> {
     let hit = turned(frame.eye.xyz) + seen * way;
     let at = hit.xz;
     let from_middle = length(at);
@@ -362,6 +364,11 @@ fn floor_color(seen: vec3<f32>, way: f32, noise: f32) -> vec3<f32> {
         let mirrored = textureSampleLevel(mirrored_paint, paint_sampler, upward, 0.0).rgb;
         base = mix(base, mirrored, min(share, 1.0));
     }
+    if mirrors > 0.0 {
+        let polish = mirrors * (POLISH + (1.0 - POLISH) * grazing * grazing * grazing);
+        let reflected = reflected_at(place);
+        base = base * (1.0 - polish * reflected.a) + reflected.rgb * polish;
+    }
     if foam > 0.0 {
         let swash = smooth_between(-0.5 * foam, -0.1 * foam, out);
         let spent = smooth_between(0.1 * foam, 1.6 * foam, out);
@@ -379,6 +386,19 @@ fn painted_lod(sides: vec2<f32>, texels: f32, noise: f32) -> f32 {
 fn smooth_between(low: f32, high: f32, value: f32) -> f32 {
     let share = clamp((value - low) / (high - low), 0.0, 1.0);
     return share * share * (3.0 - 2.0 * share);
+}
+
+fn reflected_at(place: vec2<f32>) -> vec4<f32> {
+    let size = vec2<f32>(textureDimensions(reflection));
+    let at = clamp(place * size - 0.5, vec2<f32>(0.0), size - 1.0);
+    let first = vec2<i32>(at);
+    let next = min(first + 1, vec2<i32>(size) - 1);
+    let part = at - floor(at);
+    let top = mix(textureLoad(reflection, first, 0),
+        textureLoad(reflection, vec2<i32>(next.x, first.y), 0), part.x);
+    let bottom = mix(textureLoad(reflection, vec2<i32>(first.x, next.y), 0),
+        textureLoad(reflection, next, 0), part.x);
+    return mix(top, bottom, part.y);
 }
 
 fn ground_factor(point: vec2<f32>) -> vec3<f32> {
