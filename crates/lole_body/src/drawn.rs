@@ -16,6 +16,7 @@ pub(crate) use build::build_drawn;
 pub use open_hair::{Combed, HairKnot, OpenHair, Swing};
 
 use glam::{Affine3A, Vec3};
+use lole_geom::finer::Finer;
 
 use crate::skin::blend;
 use crate::{Bone, SkinnedMesh};
@@ -49,6 +50,15 @@ pub struct DrawnBody {
 }
 
 impl DrawnBody {
+    /// How its skin and leotard are made finer for pictures from near by: their triangles, part after part.
+    #[must_use]
+    pub fn finer(&self) -> Finer {
+        let parts = self.mesh.parts.iter().filter(|part| part.kind.is_rounded());
+        let triangles: Vec<[u32; 3]> = parts.flat_map(|part| part.triangles.clone()).collect();
+        let alone: Vec<u32> = (0..).take(self.mesh.positions.len()).collect();
+        Finer::new(&triangles, &alone)
+    }
+
     /// The middle between the eyes [m], in the bind pose.
     #[must_use]
     pub fn between_eyes(&self) -> Vec3 {

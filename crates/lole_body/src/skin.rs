@@ -43,6 +43,14 @@ pub enum PartKind {
     Given,
 }
 
+impl PartKind {
+    /// Whether it is of the closed surface that [`crate::DrawnBody::finer`] rounds.
+    #[must_use]
+    pub const fn is_rounded(self) -> bool {
+        matches!(self, Self::Skin | Self::Leotard)
+    }
+}
+
 /// What a part of a given body looks like.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Look {

@@ -36,6 +36,7 @@ use lole_cloth::assembly::{
 use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{self, MeshModel, MeshSpec};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig};
+use lole_geom::finer::Finer;
 use lole_geom::mesh::vertex_normals;
 use lole_geom::{Capsule, MeshSurfels, Surfel};
 use lole_pattern::Pattern;
@@ -399,6 +400,12 @@ impl Dressed {
         }
         let groups = self.welded.iter().map(|&group| sums[group as usize]);
         groups.map(|(sum, count)| sum / count.max(1.0)).collect()
+    }
+
+    /// How its drawn surface is made finer for pictures from near by.
+    #[must_use]
+    pub fn finer(&self) -> Finer {
+        Finer::new(&self.triangles, &self.welded)
     }
 
     /// Unit normals of drawn places, outward; seams are smooth.

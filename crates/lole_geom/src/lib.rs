@@ -6,6 +6,7 @@
 
 pub mod capsule;
 pub mod chance;
+pub mod finer;
 pub mod fnv;
 pub mod inside;
 pub mod length;

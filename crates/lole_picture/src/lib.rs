@@ -21,6 +21,7 @@ use glam::{Vec2, Vec3};
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
 use lole_costume::document::{Design, PrintError};
 use lole_garment::adorn::AdornmentFinish;
+use lole_geom::finer::Finer;
 use lole_print::PrintImage;
 use lole_render::srgb::linear_from_srgb;
 use lole_render::{Camera, Material, RenderError, Scene, SceneMesh, Sides, Texture};
@@ -42,6 +43,8 @@ pub struct Looks {
     pub skin_uvs: Vec<Vec2>,
     /// Linear factors on the colors of her vertices; empty where there are none.
     pub skin_colors: Vec<Vec3>,
+    /// Her skin, finer, as it is photographed; `None` where it is drawn as it is.
+    pub finer_skin: Option<FinerSkin>,
     /// Single strands of her hair; `None` where there are none.
     pub strands: Option<Strands>,
     /// What is around her.
@@ -66,6 +69,42 @@ pub struct BodyPart {
     pub triangles: Vec<[u32; 3]>,
 }
 
+/// A dancer's skin as it is photographed from near by.
+pub struct FinerSkin {
+    /// Number of its vertices; those of her skin come first.
+    pub count: usize,
+    /// Triangles of each part, in their order.
+    pub parts: Vec<Vec<[u32; 3]>>,
+    /// Where its vertices lie on the pictures of the skin.
+    pub uvs: Vec<Vec2>,
+    /// Linear factors on their colors; empty where there are none.
+    pub colors: Vec<Vec3>,
+}
+
+impl FinerSkin {
+    /// That of a dancer; `None` of a body that is drawn as it is.
+    #[must_use]
+    pub fn of(dancer: &Dancer) -> Option<Self> {
+        let drawn = dancer.drawn_body.as_ref()?;
+        let (skin, finer) = (&drawn.mesh, drawn.finer());
+        let mut rounded = finer.triangles.as_slice();
+        let parts = skin.parts.iter().map(|part| {
+            if !part.kind.is_rounded() {
+                return part.triangles.clone();
+            }
+            let (own, rest) = rounded.split_at(Finer::TIMES * part.triangles.len());
+            rounded = rest;
+            own.to_vec()
+        });
+        Some(Self {
+            parts: parts.collect(),
+            count: finer.count(),
+            uvs: finer.spread(&skin.uvs),
+            colors: finer.spread(&skin.colors),
+        })
+    }
+}
+
 /// How one surface of what is worn looks.
 pub struct Cover {
     /// Its material.
@@ -80,6 +119,39 @@ pub struct Cover {
     pub uvs: Vec<Vec2>,
     /// The print, for files that carry it; `None` where it is no cloth.
     pub print: Option<PrintImage>,
+    /// The same, finer, as it is photographed; `None` where it is fine enough.
+    pub finer: Option<FinerCover>,
+}
+
+/// A surface of what is worn as it is photographed from near by.
+pub struct FinerCover {
+    /// Number of its vertices.
+    pub count: usize,
+    /// Its triangles.
+    pub triangles: Vec<[u32; 3]>,
+    /// Where its vertices lie on the print, in repeats.
+    pub uvs: Vec<Vec2>,
+}
+
+impl FinerCover {
+    fn of(surface: WornSurface<'_>, uvs: &[Vec2]) -> Option<Self> {
+        let finer = surface.finer()?;
+        Some(Self {
+            count: finer.count(),
+            uvs: finer.spread(uvs),
+            triangles: finer.triangles,
+        })
+    }
+}
+
+impl Cover {
+    /// Triangles and places on the print of so many vertices of it.
+    fn drawn(&self, count: usize) -> (&[[u32; 3]], &[Vec2]) {
+        let finer = self.finer.as_ref().filter(|finer| finer.count == count);
+        finer.map_or((&self.triangles, &self.uvs), |finer| {
+            (&finer.triangles, &finer.uvs)
+        })
+    }
 }
 
 /// Why there is no picture.
@@ -131,6 +203,7 @@ impl Looks {
         let skin = production.dancer.drawn();
         let materials = dancer_materials(&production.dancer)?;
         let strands = Strands::of(&production.dancer, &materials);
+        let finer_skin = FinerSkin::of(&production.dancer);
         let parts = skin.parts.iter().zip(materials);
         Ok(Self {
             worn: surfaces
@@ -144,6 +217,7 @@ impl Looks {
                 .collect(),
             skin_uvs: skin.uvs.clone(),
             skin_colors: skin.colors.clone(),
+            finer_skin,
             strands,
             scenery: Scenery::of(&design.stage),
         })
@@ -186,25 +260,33 @@ impl Looks {
         let worn = dancer.worn.iter().zip(&self.worn).enumerate();
         let worn = worn.map(|(place, (vertices, cover))| {
             let colors = dancer.colors.get(place).filter(|colors| !colors.is_empty());
+            let (triangles, uvs) = cover.drawn(vertices[0].len());
             SceneMesh {
                 positions: &vertices[0],
                 normals: &vertices[1],
-                uvs: &cover.uvs,
+                uvs,
                 colors: colors.unwrap_or(&cover.colors),
-                triangles: &cover.triangles,
+                triangles,
                 material: (dancer.colored)
                     .filter(|_| colors.is_some())
                     .unwrap_or(&cover.material),
             }
         });
         let [positions, normals] = dancer.body;
-        let parts = self.parts.iter().map(|part| SceneMesh {
-            positions,
-            normals,
-            uvs: &self.skin_uvs,
-            colors: &self.skin_colors,
-            triangles: &part.triangles,
-            material: &part.material,
+        let finer = (self.finer_skin.as_ref()).filter(|finer| finer.count == positions.len());
+        let parts = self.parts.iter().enumerate().map(|(place, part)| {
+            let (uvs, colors, triangles) = finer.map_or(
+                (&self.skin_uvs, &self.skin_colors, &part.triangles),
+                |finer| (&finer.uvs, &finer.colors, &finer.parts[place]),
+            );
+            SceneMesh {
+                positions,
+                normals,
+                uvs,
+                colors,
+                triangles,
+                material: &part.material,
+            }
         });
         let cloth_count = self.worn.iter().filter(|cover| cover.is_cloth).count();
         let [positions, normals] = dancer.strands;
@@ -228,6 +310,7 @@ fn cover(design: &Design, surface: WornSurface<'_>) -> Result<Cover, LookError> 
             is_cloth: false,
             uvs: Vec::new(),
             print: None,
+            finer: None,
         });
     }
     let (fabric, print) = design.cloth_of(surface.worn().listed());
@@ -247,6 +330,7 @@ fn cover(design: &Design, surface: WornSurface<'_>) -> Result<Cover, LookError> 
         WornSurface::Beside(..) => Vec::new(),
     };
     Ok(Cover {
+        finer: FinerCover::of(surface, &uvs),
         material: Material::printed_cloth(Arc::new(texture)),
         triangles: surface.triangles().to_vec(),
         colors: Vec::new(),

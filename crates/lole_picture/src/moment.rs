@@ -64,7 +64,8 @@ impl Moment {
         Self::with(performance, now)
     }
 
-    /// The present frame of a performance as it is photographed: nobody blinks, and hair has its strands.
+    /// The present frame of a performance as it is photographed: nobody blinks, hair has its strands, and her skin
+    /// and what is sewn are rounded.
     #[must_use]
     pub fn photographed(performance: &Performance) -> Self {
         let now = Expression {
@@ -76,6 +77,13 @@ impl Moment {
             let [positions, normals] = &mut moment.strands;
             (drawn.strands).pose(performance.world_from_bind(), positions, normals);
             (drawn.open_hair).swing_strands(&performance.swing(), (positions, normals));
+            let [positions, normals] = &moment.body;
+            moment.body = drawn.finer().rounded([positions, normals]);
+        }
+        for (surface, worn) in performance.production().surfaces().zip(&mut moment.worn) {
+            if let Some(finer) = surface.finer() {
+                *worn = finer.rounded([&worn[0], &worn[1]]);
+            }
         }
         moment
     }

@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use glam::Vec3;
 use lole_garment::adorn::{self, Carried};
+use lole_geom::finer::Finer;
 
 use crate::adorned::Adornment;
 use crate::production::{DressedGarment, Garment, Production, cloth_count};
@@ -99,6 +100,15 @@ impl<'a> WornSurface<'a> {
             Self::Gathered(garment) => &garment.mesh.triangles,
             Self::Sewn(garment) => &garment.dressed.triangles,
             Self::Beside(adornment, place) => &adornment.surfaces[place].triangles,
+        }
+    }
+
+    /// How it is made finer for pictures from near by; `None` of what is fine enough.
+    #[must_use]
+    pub fn finer(self) -> Option<Finer> {
+        match self {
+            Self::Sewn(garment) => Some(garment.dressed.finer()),
+            Self::Gathered(_) | Self::Beside(..) => None,
         }
     }
 

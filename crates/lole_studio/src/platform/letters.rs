@@ -244,8 +244,9 @@ fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
             colors: unpacker.list()?,
             is_cloth: unpacker.flag()?,
             uvs: unpacker.list()?,
-            // Files that carry it are made elsewhere.
+            // Files that carry it are made elsewhere, and so are photographs.
             print: None,
+            finer: None,
         })
     })?;
     let parts = unpacker.each(|unpacker| {
@@ -260,6 +261,7 @@ fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
         skin_uvs: unpacker.list()?,
         skin_colors: unpacker.list()?,
         strands: None,
+        finer_skin: None,
         scenery: Scenery {
             set: *StageSet::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
             mood: *StageMood::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
