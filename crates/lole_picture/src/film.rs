@@ -1,6 +1,7 @@
 //! Where the film's camera stands: as near as the whole dance allows.
 
 pub(crate) mod cues;
+mod reach;
 mod shots;
 pub(crate) mod shutter;
 pub mod title;
@@ -10,17 +11,18 @@ use lole_body::{Bone, Dancer};
 use lole_geom::trig;
 use lole_render::{Camera, Size, View};
 use lole_stage::{FRAMES_PER_SECOND, Performance, Production};
+use reach::Reach;
 pub use shots::Framing;
 use shots::Shots;
 
 /// The film's camera: it goes with the dancer softly, as someone does who knows the dance, and drifts from the front
 /// to her side and back. It stands as near as it can without losing a hand, a foot or the hem through the whole
-/// dance. Of a group it sees everybody.
+/// dance. Of a group it sees everybody; where formations change, it goes away and comes near again with them.
 pub struct FilmCamera {
     /// How far the skirt of each dancer swings from her hips [m].
     skirts: Vec<f32>,
     /// The outermost places of her and her skirt, from where the camera looks [m].
-    reach: Vec<Vec3>,
+    reach: Reach,
     /// Height of the hips of the first [m].
     hips: f32,
     /// From where which phrase is seen.
@@ -87,7 +89,7 @@ impl FilmCamera {
             .map(|it| skirt_radius(it.performance))
             .collect();
         Self {
-            reach: reach(group, &skirts),
+            reach: Reach::of(group, &skirts),
             hips: group.first().map_or(0.0, |it| {
                 let dancer = &it.performance.production().dancer;
                 dancer.skeleton.joint(Bone::Hips).y
@@ -114,7 +116,7 @@ impl FilmCamera {
             Framing::Whole => f32::MIN,
             Framing::Upper => self.hips - BELOW_HIPS,
         };
-        let around = self.reach.iter().map(|&away| middle + away);
+        let around = self.reach.at(time).into_iter().map(|away| middle + away);
         let around: Vec<Vec3> = around
             .map(|place| place.with_y(place.y.max(lowest)))
             .collect();
@@ -172,39 +174,6 @@ fn moments<'a>(
         .map(move |look| dt * f32::from(look) - around)
         .take_while(move |&time| time <= length + around)
         .map(move |time| Figures::at(group, time, skirts))
-}
-
-/// The outermost places of the lead-in and one round of the dance, from where the camera looks [m].
-fn reach(group: &[Placed<'_>], skirts: &[f32]) -> Vec<Vec3> {
-    let [every, half] = [LOOKS, LOOKS * AROUND_COUNT].map(usize::from);
-    // What the camera looks at lies before and after, too.
-    let around = AROUND_SECONDS * f32::from(AROUND_COUNT);
-    let figures: Vec<Figures> = moments(group, skirts, around).collect();
-    let mut reach: Vec<(Vec3, Vec3)> = directions().map(|it| (it, Vec3::ZERO)).collect();
-    for moments in figures.windows(2 * half + 1) {
-        let middle = smoothed(moments.iter().step_by(every).map(Figures::middle));
-        for (direction, farthest) in &mut reach {
-            let away = moments[half].farthest(*direction) - middle;
-            if farthest.dot(*direction) < away.dot(*direction) {
-                *farthest = away;
-            }
-        }
-    }
-    // The floor that she stands on is seen, wherever her feet are.
-    let floor = reach.iter().map(|(_, it)| Vec3::new(0.0, 0.0, it.z));
-    let floor: Vec<Vec3> = floor.collect();
-    reach.into_iter().map(|(_, it)| it).chain(floor).collect()
-}
-
-/// Directions all around, 15° apart along the horizon.
-fn directions() -> impl Iterator<Item = Vec3> {
-    (-3_i8..=3).flat_map(|up| {
-        let (sin_up, cos_up) = trig::sin_cos(f32::from(up) * std::f32::consts::FRAC_PI_6);
-        (0_u8..24).map(move |turn| {
-            let (sin, cos) = trig::sin_cos(f32::from(turn) * std::f32::consts::PI / 12.0);
-            Vec3::new(cos_up * sin, sin_up, cos_up * cos)
-        })
-    })
 }
 
 /// Ends of a dancer that must be seen, beside head and skirt.

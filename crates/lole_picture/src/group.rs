@@ -266,7 +266,7 @@ impl Ensemble {
         renderer: &mut Renderer,
     ) -> Result<Image, RenderError> {
         let members = self.members.par_iter();
-        let moments = members.map(|it| Moment::photographed(&it.performance).moved(it.at));
+        let moments = members.map(|it| Moment::still(&it.performance).moved(it.at));
         let moments: Vec<Moment> = moments.collect();
         let first = self.members.first().map(|it| it.studio.looks().scenery);
         let stage = (first.unwrap_or_default(), Lamps::WithCamera);

@@ -64,10 +64,27 @@ impl Moment {
         Self::with(performance, now)
     }
 
-    /// The present frame of a performance as it is photographed: nobody blinks, hair has its strands, and her skin
-    /// and what is sewn are rounded.
+    /// The present frame of a performance as it is photographed from near by: nobody blinks, hair has its strands, and
+    /// her skin and what is sewn are rounded.
     #[must_use]
     pub fn photographed(performance: &Performance) -> Self {
+        let mut moment = Self::still(performance);
+        let production = performance.production();
+        if let Some(drawn) = &production.dancer.drawn_body {
+            let [positions, normals] = &moment.body;
+            moment.body = drawn.finer().rounded([positions, normals]);
+        }
+        for (surface, worn) in production.surfaces().zip(&mut moment.worn) {
+            if let Some(finer) = surface.finer() {
+                *worn = finer.rounded([&worn[0], &worn[1]]);
+            }
+        }
+        moment
+    }
+
+    /// The same from where corners of triangles are not seen, as of a whole group.
+    #[must_use]
+    pub fn still(performance: &Performance) -> Self {
         let now = Expression {
             closed: 0.0,
             ..alive::expression(performance, 0.0)
@@ -77,13 +94,6 @@ impl Moment {
             let [positions, normals] = &mut moment.strands;
             (drawn.strands).pose(performance.world_from_bind(), positions, normals);
             (drawn.open_hair).swing_strands(&performance.swing(), (positions, normals));
-            let [positions, normals] = &moment.body;
-            moment.body = drawn.finer().rounded([positions, normals]);
-        }
-        for (surface, worn) in performance.production().surfaces().zip(&mut moment.worn) {
-            if let Some(finer) = surface.finer() {
-                *worn = finer.rounded([&worn[0], &worn[1]]);
-            }
         }
         moment
     }

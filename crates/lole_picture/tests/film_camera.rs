@@ -1,7 +1,7 @@
 //! Laws of the film's camera: wherever she dances, in whatever format, nothing of her is cut off, and she is as
 //! large as the dance lets her be.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use lole_body::Bone;
 use lole_costume::document;
 use lole_geom::trig;
@@ -137,6 +137,56 @@ fn dancers(step: &str) -> Vec<Performance> {
         performance
     };
     DANCERS.iter().map(ready).collect()
+}
+
+/// A line of three walks into a heap: the camera comes nearer with them, softly, and nobody is ever cut off.
+#[test]
+fn the_camera_comes_near_as_a_group_draws_together() {
+    let ways = [-1.6_f32, 0.0, 1.6].map(|x| Vec2::new(-0.6 * x, 0.0));
+    let mut group: Vec<Performance> = (ways.into_iter())
+        .map(|way| {
+            let part = "[[motion.part]]\nstep = \"kaholo\"\n";
+            let text = format!(
+                "lole = 1\n[skirt]\nworn = \"no\"\n[motion]\ntempo_bpm = 120\n\
+                 {part}beat_count = 16\nformation = \"line\"\n\
+                 {part}beat_count = 48\nformation = \"circle\"\n{part}beat_count = 16\n"
+            );
+            let design = document::parse(&text, "test").expect("a design");
+            let mut performance =
+                Performance::new(Production::new(&design).expect("made")).expect("worn");
+            performance
+                .walk(&[Vec2::ZERO, way, Vec2::ZERO])
+                .expect("her feet carry her");
+            while performance.time() < 0.0 {
+                performance.advance().expect("nothing flies away");
+            }
+            performance
+        })
+        .collect();
+    let places = [-1.6_f32, 0.0, 1.6].map(|x| Vec3::X * x);
+    let camera = FilmCamera::of_group(&placed(&group, &places));
+    let mut distances = Vec::new();
+    while group[0].time() < 40.0 {
+        for performance in &mut group {
+            for _ in 0..12 {
+                performance.advance().expect("nothing flies away");
+            }
+            performance.pose_body();
+        }
+        let placed = placed(&group, &places);
+        let views = FORMATS.map(|size| camera.group_view(&placed, size));
+        for dancer in &placed {
+            let body = dancer.performance.body_positions().iter();
+            let body: Vec<Vec3> = body.map(|place| place + dancer.at).collect();
+            all_seen(&body, &views, || format!("{} s", group[0].time()));
+        }
+        distances.push(views[0].eye.distance(views[0].target));
+    }
+    let [first, last] = [distances[0], distances[distances.len() - 1]];
+    assert!(last < 0.8 * first, "{first} to {last} m");
+    let jump = distances.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    let jump = jump.fold(0.0, f32::max);
+    assert!(jump < 0.05 * first, "{jump} of {first} m within 0.2 s");
 }
 
 /// Each where she stands.
