@@ -471,7 +471,7 @@ fn part_material(kind: PartKind, paint: &Paint<'_>) -> Material {
             texture: Some(Arc::clone(&paint.hair)),
             roughness: 0.62,
             specular: 0.02,
-            ..Material::skin([1.0; 3])
+            ..Material::hair([1.0; 3])
         },
         PartKind::Flower => Material::cloth(linear(appearance::FLOWER_SRGB)),
         PartKind::FlowerHeart => Material::cloth(linear(appearance::FLOWER_HEART_SRGB)),
