@@ -15,25 +15,31 @@ const CLOSING: f32 = 0.08;
 const CLOSED: f32 = 0.03;
 const OPENING: f32 = 0.16;
 
+/// How long before a hand arrives the eyes look there [s]: they lead the hand by some tenths of a second (Land and
+/// Hayhoe 2001, "In what ways do eye movements contribute to everyday activities?").
+pub const EYES_LEAD: f32 = 0.2;
+
 /// What the face of a dancer does in the present frame, who blinks by a clock that is so much fast [s].
 #[must_use]
 pub fn expression(performance: &Performance, fast: f32) -> Expression {
     let production = performance.production();
     let now = (production.design.stage.gaze, performance.time() + fast);
-    expression_at(&production.dancer, now, performance.world_from_bind())
+    let soon = performance.bones_after(EYES_LEAD);
+    let bones = [performance.world_from_bind(), &soon];
+    expression_at(&production.dancer, now, bones)
 }
 
-/// What the face of a dancer does at a time of the dance [s].
+/// What the face of a dancer does at a time of the dance [s], with the bones then and [`EYES_LEAD`] later.
 #[must_use]
 pub fn expression_at(
     dancer: &Dancer,
     (gaze, time): (Gaze, f32),
-    world_from_bind: &[Affine3A],
+    bones: [&[Affine3A]; 2],
 ) -> Expression {
     Expression {
         closed: blink(time),
         looks_at: match gaze {
-            Gaze::Hands => leading_hand(dancer, world_from_bind),
+            Gaze::Hands => leading_hand(dancer, bones),
             Gaze::Ahead => None,
         },
     }
@@ -61,15 +67,16 @@ fn shut(after: f32) -> f32 {
     ease(after / CLOSING).min(ease(1.0 - (after - CLOSING - CLOSED) / OPENING))
 }
 
-/// Where the hand is that reaches farther up and out; both where they reach as far. None where both hang down.
-fn leading_hand(dancer: &Dancer, world_from_bind: &[Affine3A]) -> Option<Vec3> {
+/// Where the hand will soon be that then reaches farther up and out; both where they reach as far. None where both
+/// hang down.
+fn leading_hand(dancer: &Dancer, [now, soon]: [&[Affine3A]; 2]) -> Option<Vec3> {
     let skeleton = &dancer.skeleton;
-    let joint = |bone: Bone| world_from_bind[bone.index()].transform_point3(skeleton.joint(bone));
+    let joint = |bone: Bone| soon[bone.index()].transform_point3(skeleton.joint(bone));
     let [hips, chest] = [Bone::Hips, Bone::UpperChest].map(joint);
     // Only a drawn body has eyes that turn.
     let eyes = dancer.drawn_body.as_ref()?.between_eyes();
-    let head = world_from_bind[Bone::Head.index()].transform_point3(eyes);
-    let ahead = world_from_bind[Bone::Head.index()].transform_vector3(Vec3::Z);
+    let head = now[Bone::Head.index()].transform_point3(eyes);
+    let ahead = now[Bone::Head.index()].transform_vector3(Vec3::Z);
     let size = (chest.y - hips.y).max(0.05);
     let (mut sum, mut total) = (Vec3::ZERO, 0.0);
     for bone in [Bone::LeftMiddleProximal, Bone::RightMiddleProximal] {
@@ -90,7 +97,34 @@ fn leading_hand(dancer: &Dancer, world_from_bind: &[Affine3A]) -> Option<Vec3> {
 
 #[cfg(test)]
 mod tests {
+    use lole_body::{Appearance, Measurements, Pose};
+
     use super::*;
+
+    /// She looks to the side to which a hand is about to rise, while both still hang down.
+    #[test]
+    fn eyes_are_there_before_the_hand() {
+        let woman = Measurements::woman();
+        let dancer = Dancer::with_appearance(&woman, &Appearance::default()).unwrap();
+        let bones = |raised: Option<Bone>| {
+            let mut pose = Pose::default();
+            if let Some(arm) = raised {
+                let side = if arm == Bone::LeftUpperArm { 1.0 } else { -1.0 };
+                pose.rotate(arm, glam::Quat::from_rotation_z(1.2 * side));
+            }
+            dancer.skeleton.world_from_bind(&pose)
+        };
+        let now = bones(None);
+        for (arm, side) in [(Bone::LeftUpperArm, 1.0), (Bone::RightUpperArm, -1.0)] {
+            let soon = bones(Some(arm));
+            let seen = expression_at(&dancer, (Gaze::Hands, 0.0), [&now, &soon])
+                .looks_at
+                .unwrap();
+            assert!(0.15 < seen.x * side, "{arm:?}: {seen}");
+            let ahead = expression_at(&dancer, (Gaze::Ahead, 0.0), [&now, &soon]).looks_at;
+            assert_eq!(ahead, None);
+        }
+    }
 
     #[test]
     fn eyes_are_open_nearly_always_and_close_again_and_again() {

@@ -415,15 +415,27 @@ impl Show {
         Ok(())
     }
 
+    /// The bones so much later in the dance [s], as [`Performance::bones_after`] has them.
+    #[must_use]
+    pub fn bones_after(&self, seconds: f32) -> Vec<Affine3A> {
+        let skeleton = &self.performance.production().dancer.skeleton;
+        skeleton.world_from_bind(&self.pose_after(seconds))
+    }
+
     fn pose(&self) -> Pose {
+        self.pose_after(0.0)
+    }
+
+    fn pose_after(&self, seconds: f32) -> Pose {
         let mut layers = self.layers.iter();
         let mut pose = layers.next().map_or_else(Pose::default, |layer| {
-            layer.dance.pose_at(narrow(layer.time))
+            layer.dance.pose_at(narrow(layer.time) + seconds)
         });
         for layer in layers {
             let share = narrow((layer.age / EASE_SECONDS).clamp(0.0, 1.0));
             let share = share * share * (3.0 - 2.0 * share);
-            pose = between(&pose, &layer.dance.pose_at(narrow(layer.time)), share);
+            let other = layer.dance.pose_at(narrow(layer.time) + seconds);
+            pose = between(&pose, &other, share);
         }
         pose
     }

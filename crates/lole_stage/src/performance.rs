@@ -451,6 +451,13 @@ impl Performance {
         }
     }
 
+    /// The bones so much later in the dance [s]: a hand that is raised then is looked at before.
+    #[must_use]
+    pub fn bones_after(&self, seconds: f32) -> Vec<Affine3A> {
+        let pose = (self.production.dance).pose_at((self.time() + seconds).max(0.0));
+        self.production.dancer.skeleton.world_from_bind(&pose)
+    }
+
     fn pose_of_dance(&self) -> Pose {
         self.production.dance.pose_at(self.time().max(0.0))
     }

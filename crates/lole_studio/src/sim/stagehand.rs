@@ -396,7 +396,8 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let production = &*show.production();
     let now = (production.design.stage.gaze, show.time());
     let bones = show.world_from_bind();
-    let expression = lole_picture::alive::expression_at(&production.dancer, now, bones);
+    let soon = show.bones_after(lole_picture::alive::EYES_LEAD);
+    let expression = lole_picture::alive::expression_at(&production.dancer, now, [bones, &soon]);
     let body = lole_picture::drawn_body(&production.dancer, bones, (expression, &show.swing()));
     Snapshot {
         wardrobe: Arc::clone(clothes),
