@@ -7,6 +7,7 @@ mod figures;
 mod keep;
 mod sizes;
 mod style;
+mod techniques;
 
 use std::sync::Arc;
 
@@ -100,6 +101,7 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     for garment in &booklet.plan.garments {
         steps(&mut flow, garment, language);
     }
+    techniques::draw(&mut flow, booklet.plan, language);
     care(&mut flow, booklet.plan, language);
     costs(&mut flow, booklet.bill, language);
     let title = booklet.title.clone();
