@@ -77,6 +77,7 @@ pub(crate) const MOOD_STAYS: Words = words("照明はそのまま", "lamps as be
 pub(crate) const MOOD: Words = words("照明の気分", "Mood of the lamps");
 pub(crate) const HEAD: Words = words("顔と髪", "Face and hair");
 pub(crate) const AGE: Words = words("年齢", "Age");
+pub(crate) const NO_AGE: Words = words("年齢を書かない", "Leave the age out");
 pub(crate) const YEARS: Words = words(" 歳", " years");
 pub(crate) const OTHER_FACE: Words = words("別の顔にする", "Another face");
 pub(crate) const MEASURED_FACE: Words = words("もとの顔に戻す", "The measured face");

@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 use lole_body::{Feature, HairStyle, Makeup};
 use lole_costume::document::FaceDesign;
 
-use super::knob::{Knob, Scale, sign_button, wide_button};
+use super::knob::{Knob, Scale, wide_button};
 use super::set::choose;
 use crate::{Studio, text};
 
@@ -57,11 +57,8 @@ fn age(ui: &mut Ui, studio: &mut Studio) {
     if let (_, Some(years)) = knob.show(ui, given.unwrap_or(USUAL_AGE)) {
         studio.change_later(|design| design.dancer.age_years = Some(years.round()));
     }
-    if given.is_some() {
-        let name = format!("{}: {}", studio.say(text::AGE), studio.say(text::LEAVE_OUT));
-        if sign_button(ui, "✖", &name) {
-            studio.change(|design| design.dancer.age_years = None);
-        }
+    if given.is_some() && wide_button(ui, studio.say(text::NO_AGE)) {
+        studio.change(|design| design.dancer.age_years = None);
     }
 }
 
