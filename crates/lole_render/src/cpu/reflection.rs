@@ -27,7 +27,8 @@ pub(crate) struct Reflection {
 }
 
 impl Reflection {
-    /// That of a scene; `None` where no floor mirrors or nothing could be seen in it.
+    /// That of a scene; `None` where the floor that meshes stand on mirrors nothing: what lies beyond the shore is too
+    /// far for it.
     pub(crate) fn of(
         scene: &Scene<'_>,
         geometry: &Geometry,
@@ -38,8 +39,10 @@ impl Reflection {
             return None;
         };
         let ground = scene.ground.as_ref()?;
-        let mirrors = 0.0 < landscape.near.mirror.max(landscape.beyond.mirror);
-        if !mirrors || geometry.triangles.is_empty() || scene.camera.eye.y <= ground.height {
+        if landscape.near.mirror <= 0.0
+            || geometry.triangles.is_empty()
+            || scene.camera.eye.y <= ground.height
+        {
             return None;
         }
         let [across, down] = [picture.ray_right.w, picture.ray_down.w].map(|pixels| {

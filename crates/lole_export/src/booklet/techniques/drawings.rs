@@ -18,23 +18,8 @@ fn at(canvas: &Canvas<'_>, x: f64, y: f64) -> Point {
     Point::new(rect.x + x * rect.width, rect.y + y * rect.height)
 }
 
-/// A piece of cloth between corners, shares of the drawing.
-fn cloth(canvas: &mut Canvas<'_>, corners: &[[f64; 2]], color: Color) {
-    let mut path = BezPath::new();
-    for (index, [x, y]) in corners.iter().enumerate() {
-        let corner = at(canvas, *x, *y);
-        if index == 0 {
-            path.move_to(corner);
-        } else {
-            path.line_to(corner);
-        }
-    }
-    path.close_path();
-    canvas.sheet.path(path, Some(color), Some(EDGE));
-}
-
-/// Thread through places, shares of the drawing.
-fn thread(canvas: &mut Canvas<'_>, places: &[[f64; 2]]) {
+/// A line through places, shares of the drawing.
+fn line(canvas: &Canvas<'_>, places: &[[f64; 2]]) -> BezPath {
     let mut path = BezPath::new();
     for (index, [x, y]) in places.iter().enumerate() {
         let place = at(canvas, *x, *y);
@@ -44,6 +29,19 @@ fn thread(canvas: &mut Canvas<'_>, places: &[[f64; 2]]) {
             path.line_to(place);
         }
     }
+    path
+}
+
+/// A piece of cloth between corners, shares of the drawing.
+fn cloth(canvas: &mut Canvas<'_>, corners: &[[f64; 2]], color: Color) {
+    let mut path = line(canvas, corners);
+    path.close_path();
+    canvas.sheet.path(path, Some(color), Some(EDGE));
+}
+
+/// Thread through places, shares of the drawing.
+fn thread(canvas: &mut Canvas<'_>, places: &[[f64; 2]]) {
+    let path = line(canvas, places);
     let stroke = Stroke::solid(0.5).with_color(SEWN);
     canvas.sheet.path(path, None, Some(stroke));
 }
@@ -252,15 +250,7 @@ pub(super) fn bound(canvas: &mut Canvas<'_>) {
         [0.5, 0.3],
         [0.62, 0.38],
     ];
-    let mut path = BezPath::new();
-    for (index, [x, y]) in places.into_iter().enumerate() {
-        let place = at(canvas, x, y);
-        if index == 0 {
-            path.move_to(place);
-        } else {
-            path.line_to(place);
-        }
-    }
+    let path = line(canvas, &places);
     canvas.sheet.path(path, None, Some(strip));
     thread(canvas, &[[0.64, 0.24], [0.64, 0.56]]);
     thread(canvas, &[[0.52, 0.74], [0.52, 0.5]]);
