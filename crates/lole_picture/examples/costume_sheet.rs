@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let size = Size::new(480, 640);
     let mut renderer = Renderer::new(Backend::Cpu, size)?;
     let mut performance = Performance::new(Production::new(&design)?)?;
-    let looks = Looks::new(&design, performance.production())?;
+    let looks = Looks::photographed(&design, performance.production())?;
     while performance.time() < 0.0 {
         advance(&mut performance)?;
     }

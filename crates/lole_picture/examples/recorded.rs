@@ -181,7 +181,7 @@ fn bone_at(performance: &Performance, place: Vec3) -> Bone {
 /// The dancer from all sides.
 fn shoot(performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let production = performance.production();
-    let looks = Looks::new(&production.design, production)?;
+    let looks = Looks::photographed(&production.design, production)?;
     let moment = Moment::photographed(performance);
     let mut renderer = Renderer::new(Backend::Cpu, CELL)?;
     let mut cells = Vec::new();

@@ -43,7 +43,7 @@ pub struct Looks {
     pub skin_uvs: Vec<Vec2>,
     /// Linear factors on the colors of her vertices; empty where there are none.
     pub skin_colors: Vec<Vec3>,
-    /// Her skin, finer, as it is photographed; `None` where it is drawn as it is.
+    /// Her skin, finer, as it is photographed; `None` where that is not asked for or it is drawn as it is.
     pub finer_skin: Option<FinerSkin>,
     /// Single strands of her hair; `None` where there are none.
     pub strands: Option<Strands>,
@@ -119,7 +119,7 @@ pub struct Cover {
     pub uvs: Vec<Vec2>,
     /// The print, for files that carry it; `None` where it is no cloth.
     pub print: Option<PrintImage>,
-    /// The same, finer, as it is photographed; `None` where it is fine enough.
+    /// The same, finer, as it is photographed; `None` where that is not asked for or it is fine enough.
     pub finer: Option<FinerCover>,
 }
 
@@ -194,6 +194,19 @@ impl Strands {
 }
 
 impl Looks {
+    /// Draws prints and hair once, with all that [`Moment::photographed`] shows.
+    ///
+    /// # Errors
+    /// A picture that was not read or cannot be a texture.
+    pub fn photographed(design: &Design, production: &Production) -> Result<Self, LookError> {
+        let mut looks = Self::new(design, production)?;
+        looks.finer_skin = FinerSkin::of(&production.dancer);
+        for (cover, surface) in looks.worn.iter_mut().zip(production.surfaces()) {
+            cover.finer = FinerCover::of(surface, &cover.uvs);
+        }
+        Ok(looks)
+    }
+
     /// Draws prints and hair once.
     ///
     /// # Errors
@@ -203,7 +216,6 @@ impl Looks {
         let skin = production.dancer.drawn();
         let materials = dancer_materials(&production.dancer)?;
         let strands = Strands::of(&production.dancer, &materials);
-        let finer_skin = FinerSkin::of(&production.dancer);
         let parts = skin.parts.iter().zip(materials);
         Ok(Self {
             worn: surfaces
@@ -217,7 +229,7 @@ impl Looks {
                 .collect(),
             skin_uvs: skin.uvs.clone(),
             skin_colors: skin.colors.clone(),
-            finer_skin,
+            finer_skin: None,
             strands,
             scenery: Scenery::of(&design.stage),
         })
@@ -330,7 +342,7 @@ fn cover(design: &Design, surface: WornSurface<'_>) -> Result<Cover, LookError> 
         WornSurface::Beside(..) => Vec::new(),
     };
     Ok(Cover {
-        finer: FinerCover::of(surface, &uvs),
+        finer: None,
         material: Material::printed_cloth(Arc::new(texture)),
         triangles: surface.triangles().to_vec(),
         colors: Vec::new(),

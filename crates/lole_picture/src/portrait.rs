@@ -12,7 +12,7 @@ use lole_stage::{Performance, Production};
 use lole_export::booklet::Worn;
 
 use crate::studio::{STILLS, still_cameras};
-use crate::{Lamps, Looks, Moment, Scenery};
+use crate::{Lamps, LookError, Looks, Moment, Scenery};
 
 /// Size of one picture of a group [pixel]: as wide as her arms and skirt need, as tall as the tallest.
 pub const STANDING: Size = Size {
@@ -52,7 +52,7 @@ pub enum PortraitError {
     Diverged,
     /// Its cloth cannot be painted.
     #[error(transparent)]
-    Look(#[from] crate::LookError),
+    Look(#[from] LookError),
     /// It cannot be drawn.
     #[error(transparent)]
     Render(#[from] lole_render::RenderError),
@@ -72,7 +72,10 @@ pub fn standing(design: &Design, is_stopped: &dyn Fn() -> bool) -> Result<Vec<u8
     coarse.skirt.row_count = coarse.skirt.row_count.min(COARSE[1]);
     let production = Production::divided(&coarse, Division::Half)?;
     let performance = stand(production, HANGING_FRAMES, is_stopped)?;
-    let image = shoot(&performance, standing_camera(STANDING), STANDING)?;
+    // In a picture of five centimeters nobody sees a corner.
+    let looks = paper_looks(&performance, Looks::new)?;
+    let moment = Moment::still(&performance);
+    let image = shoot((&looks, &moment), standing_camera(STANDING), STANDING)?;
     let image = ImageView::new(image.width, image.height, &image.pixels)?;
     Ok(encode_jpeg(image, QUALITY)?)
 }
@@ -111,11 +114,13 @@ pub fn stand(
 /// A print or a size that cannot be drawn.
 pub fn of_booklet(performance: &Performance) -> Result<Worn, PortraitError> {
     let cameras = still_cameras(performance, COVER);
+    let looks = paper_looks(performance, Looks::photographed)?;
+    let moment = Moment::photographed(performance);
     let view = |wanted: View| {
         let place = STILLS.iter().position(|still| still.view == wanted);
         let camera = place.and_then(|place| cameras.get(place).copied());
         let camera = camera.unwrap_or_else(|| standing_camera(COVER));
-        let image = shoot(performance, camera, COVER)?;
+        let image = shoot((&looks, &moment), camera, COVER)?;
         let image = ImageView::new(image.width, image.height, &image.pixels)?;
         Ok::<EncodedPicture, PortraitError>(EncodedPicture::photo(image)?)
     };
@@ -136,22 +141,30 @@ pub fn standing_camera(size: Size) -> Camera {
     Camera::framing(bounds, View::Front, size.aspect())
 }
 
+/// How she and what she wears look on paper, where nothing is behind her.
+///
+/// # Errors
+/// A print that cannot be drawn.
+fn paper_looks(
+    performance: &Performance,
+    looks: impl Fn(&Design, &Production) -> Result<Looks, LookError>,
+) -> Result<Looks, LookError> {
+    let production = performance.production();
+    Ok(Looks {
+        scenery: Scenery::default(),
+        ..looks(&production.design, production)?
+    })
+}
+
 /// Her picture by the processor, whatever adapter there is: alike on every machine.
 ///
 /// # Errors
-/// A print or a size that cannot be drawn.
-pub fn shoot(
-    performance: &Performance,
+/// A size that cannot be drawn.
+fn shoot(
+    (looks, moment): (&Looks, &Moment),
     camera: Camera,
     size: Size,
 ) -> Result<lole_render::Image, PortraitError> {
-    let production = performance.production();
-    let looks = Looks {
-        // On paper nothing is behind her.
-        scenery: Scenery::default(),
-        ..Looks::new(&production.design, production)?
-    };
-    let moment = Moment::photographed(performance);
     let scene = looks.scene(&moment.dancer(), camera, Lamps::WithCamera);
     let mut renderer = Renderer::new(Backend::Cpu, size)?;
     Ok(renderer.render(&scene)?)

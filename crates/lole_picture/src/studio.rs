@@ -64,7 +64,7 @@ impl PhotoStudio {
     pub fn new(performance: &Performance) -> Result<Self, LookError> {
         let production = performance.production();
         Ok(Self {
-            looks: Looks::new(&production.design, production)?,
+            looks: Looks::photographed(&production.design, production)?,
             shutter: Shutter::new(production.design.stage.motion_blur),
             cues: Cues::of(production),
         })

@@ -92,7 +92,7 @@ fn shot(situation: &Situation) -> Result<Image, Box<dyn Error>> {
         advanced.map_err(|lost| format!("the cloth left the stage at {} s", lost.time))?;
     }
     performance.pose_body();
-    let looks = Looks::new(&design, performance.production())?;
+    let looks = Looks::photographed(&design, performance.production())?;
     let moment = Moment::photographed(&performance);
     let camera = camera(&performance, situation);
     let scene = looks.scene(&moment.dancer(), camera, Lamps::WithCamera);
