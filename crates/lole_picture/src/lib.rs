@@ -244,7 +244,18 @@ impl Looks {
         camera: Camera,
         lamps: Lamps,
     ) -> Scene<'a> {
-        Self::stage(&[(self, *dancer)], (self.scenery, lamps), camera)
+        self.scene_in((self.scenery, lamps), dancer, camera)
+    }
+
+    /// The same in other surroundings, as while the lamps of a theater say something else.
+    #[must_use]
+    pub fn scene_in<'a>(
+        &'a self,
+        around: (Scenery, Lamps),
+        dancer: &DrawnDancer<'a>,
+        camera: Camera,
+    ) -> Scene<'a> {
+        Self::stage(&[(self, *dancer)], around, camera)
     }
 
     /// The scene of one moment of several dancers in a set, each as [`Looks::scene`] has her.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use lole_picture::Lamps;
+use lole_picture::{Lamps, Scenery};
 use lole_render::{AmbientLight, Camera};
 
 use crate::Snapshot;
@@ -18,6 +18,8 @@ pub(crate) struct Job {
     pub(crate) snapshot: Arc<Snapshot>,
     /// Where it is seen from.
     pub(crate) camera: Camera,
+    /// What is around her.
+    pub(crate) scenery: Scenery,
     /// Whether the skirt is drawn in coarse triangles.
     pub(crate) is_coarse: bool,
 }
@@ -26,7 +28,8 @@ pub(crate) struct Job {
 pub(crate) fn lit(job: &Job) -> Option<(u64, AmbientLight)> {
     let wardrobe = &job.snapshot.wardrobe;
     let dancer = job.snapshot.moment.dancer();
-    let mut scene = (wardrobe.looks).scene(&dancer, job.camera, Lamps::WithCamera);
+    let around = (job.scenery, Lamps::WithCamera);
+    let mut scene = (wardrobe.looks).scene_in(around, &dancer, job.camera);
     if job.is_coarse {
         wardrobe.coarsen(&mut scene);
     }

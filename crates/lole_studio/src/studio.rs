@@ -7,6 +7,7 @@ use lole_costume::document::schema::{self, Kind};
 use lole_costume::document::{Design, DesignError, FabricDesign, LinkedFile, PartDesign, Problem};
 use lole_costume::roster::RosterDancer;
 use lole_language::{Bilingual as _, Language, Sentence, Words};
+use lole_picture::Scenery;
 use lole_render::View;
 use lole_stage::Divergence;
 
@@ -346,6 +347,20 @@ impl Studio {
     pub fn change(&mut self, edit: impl FnOnce(&mut Design)) {
         self.change_later(edit);
         self.send_design();
+    }
+
+    /// What is around her in a moment: the lamps of a theater say what the part of the choreography says, or one
+    /// before it.
+    #[must_use]
+    pub(crate) fn scenery(&self, snapshot: &Snapshot) -> Scenery {
+        let usual = snapshot.wardrobe.looks.scenery;
+        let danced = snapshot.part.map_or(0, |part| part + 1);
+        let begun = self.design().motion.parts.iter().take(danced);
+        let mood = begun.filter_map(|part| part.mood).next_back();
+        Scenery {
+            mood: mood.unwrap_or(usual.mood),
+            ..usual
+        }
     }
 
     /// Changes the design, to be sent when the hand leaves the slider: sewing takes a while.

@@ -7,7 +7,7 @@ use eframe::egui_wgpu::RenderState;
 use glam::{Vec2, Vec3};
 use lole_geom::trig;
 use lole_language::Sentence;
-use lole_picture::{DrawnDancer, Lamps};
+use lole_picture::{DrawnDancer, Lamps, Scenery};
 use lole_render::{Bounds, Effort, Image, LiveView, Material, RenderError, Size, View, wgpu};
 use lole_stage::Pull;
 
@@ -91,6 +91,7 @@ struct Hold {
 struct Drawn {
     snapshot: *const Snapshot,
     orbit: Orbit,
+    scenery: Scenery,
     size: (u32, u32),
     shows: Shows,
     quality: Quality,
@@ -306,14 +307,17 @@ impl Viewport {
             return Ok(());
         };
         let is_new_light = self.take_light();
+        let scenery = studio.scenery(snapshot);
         self.light.offer(Job {
             snapshot: Arc::clone(snapshot),
             camera: orbit.camera(),
+            scenery,
             is_coarse: self.is_coarse(studio.shows),
         });
         let drawn = Drawn {
             snapshot: Arc::as_ptr(snapshot),
             orbit,
+            scenery,
             size: (size.width, size.height),
             shows: studio.shows,
             quality: self.quality,
@@ -338,7 +342,8 @@ impl Viewport {
         };
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();
-        let mut scene = (wardrobe.looks).scene(&figure, camera, Lamps::WithCamera);
+        let around = (scenery, Lamps::WithCamera);
+        let mut scene = (wardrobe.looks).scene_in(around, &figure, camera);
         if is_coarse {
             wardrobe.coarsen(&mut scene);
         }

@@ -10,7 +10,8 @@ use lole_avatar::AnimationSummary;
 use lole_body::{Bone, Figure, Side};
 use lole_cloth::wind::WindLaw;
 use lole_costume::document::{
-    Design, GarmentDesign, LinkedFile, MethodName, MotionDrift, MotionRepeat, Uncrossed, WindModel,
+    Design, GarmentDesign, LinkedFile, MethodName, MotionDrift, MotionRepeat, PartDesign,
+    StageMood, StageSet, Uncrossed, WindModel,
 };
 use lole_costume::fabrics::PRESETS;
 use lole_hula::DanceStep;
@@ -263,6 +264,31 @@ fn where_cloth_has_no_room_is_told_below_as_long_as_it_is_so() {
         window.run_steps(3);
         assert!(window.query_by_label_contains(sentence).is_none());
     }
+}
+
+/// The lamps of a theater say what the part says that is danced, or the last one before it that says anything.
+#[test]
+fn lamps_follow_the_choreography() {
+    let mut design = Design::default();
+    design.skirt.column_count = 128;
+    design.skirt.row_count = 20;
+    design.stage.set = StageSet::Theater;
+    design.stage.mood = StageMood::Joyful;
+    design.motion.parts = [None, Some(StageMood::Sea), None]
+        .map(|mood| PartDesign {
+            mood,
+            ..PartDesign::default()
+        })
+        .to_vec();
+    let mut moment = crate::sim::first_moment(&design).expect("she is dressed");
+    let studio = Studio::new(Language::English, design, None);
+    let lamps = [None, Some(0), Some(1), Some(2)].map(|part| {
+        moment.part = part;
+        studio.scenery(&moment).mood
+    });
+    let [before, first, second, third] = lamps;
+    assert_eq!([before, first], [StageMood::Joyful; 2]);
+    assert_eq!([second, third], [StageMood::Sea; 2]);
 }
 
 #[test]

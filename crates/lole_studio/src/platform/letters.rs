@@ -230,10 +230,23 @@ fn put_looks(packer: &mut Packer, looks: &Looks) {
     });
     packer.list(&looks.skin_uvs);
     packer.list(&looks.skin_colors);
-    let set = (StageSet::ALL.iter()).position(|set| *set == looks.scenery.set);
+    put_scenery(packer, looks.scenery);
+}
+
+/// What is around her: places in the lists of sets and moods.
+pub(crate) fn put_scenery(packer: &mut Packer, scenery: Scenery) {
+    let set = (StageSet::ALL.iter()).position(|set| *set == scenery.set);
     packer.put(set.unwrap_or(0) as u64);
-    let mood = (StageMood::ALL.iter()).position(|mood| *mood == looks.scenery.mood);
+    let mood = (StageMood::ALL.iter()).position(|mood| *mood == scenery.mood);
     packer.put(mood.unwrap_or(0) as u64);
+}
+
+/// See [`put_scenery`].
+pub(crate) fn get_scenery(unpacker: &mut Unpacker<'_>) -> Option<Scenery> {
+    Some(Scenery {
+        set: *StageSet::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
+        mood: *StageMood::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
+    })
 }
 
 fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
@@ -262,10 +275,7 @@ fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
         skin_colors: unpacker.list()?,
         strands: None,
         finer_skin: None,
-        scenery: Scenery {
-            set: *StageSet::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
-            mood: *StageMood::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
-        },
+        scenery: get_scenery(unpacker)?,
     })
 }
 

@@ -12,7 +12,8 @@ use crate::Snapshot;
 use crate::clock::Clock;
 use crate::light::{Job, REST, SHORTEST_REST, lit};
 use crate::platform::letters::{
-    get_camera, get_moment, get_wardrobe, put_camera, put_moment, put_wardrobe,
+    get_camera, get_moment, get_scenery, get_wardrobe, put_camera, put_moment, put_scenery,
+    put_wardrobe,
 };
 use crate::platform::parcel::{Packer, Unpacker};
 use crate::snapshot::Wardrobe;
@@ -68,6 +69,7 @@ impl Light {
         let mut parcel = Packer::default();
         parcel.put(MOMENT);
         put_camera(&mut parcel, &job.camera);
+        put_scenery(&mut parcel, job.scenery);
         parcel.flag(job.is_coarse);
         put_moment(&mut parcel, &job.snapshot.moment);
         worker.post(&parcel);
@@ -112,11 +114,13 @@ pub(super) fn serve() {
 
 fn work(wardrobe: &Arc<Wardrobe>, parcel: &mut Unpacker<'_>) -> Option<(u64, AmbientLight)> {
     let camera = get_camera(parcel)?;
+    let scenery = get_scenery(parcel)?;
     let is_coarse = parcel.flag()?;
     let moment = get_moment(parcel)?;
     lit(&Job {
         snapshot: Arc::new(of_moment(wardrobe, moment)),
         camera,
+        scenery,
         is_coarse,
     })
 }
