@@ -20,6 +20,7 @@ const UNITS: &[&str] = &[
     "yd",
     "s",
     "ms",
+    "years",
     "ns",
     "min",
     "tick",
