@@ -86,7 +86,7 @@ fn shoot(
     renderer: &mut Renderer,
 ) -> Result<Vec<u8>, Box<dyn Error>> {
     let production = performance.production();
-    let moment = Moment::photographed(performance);
+    let moment = Moment::photographed(performance, looks);
     let crown = production.dancer.landmarks.crown_height;
     let [low, high] = match part {
         "upper" => [0.52, 1.0],

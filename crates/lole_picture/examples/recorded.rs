@@ -182,7 +182,7 @@ fn bone_at(performance: &Performance, place: Vec3) -> Bone {
 fn shoot(performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let production = performance.production();
     let looks = Looks::photographed(&production.design, production)?;
-    let moment = Moment::photographed(performance);
+    let moment = Moment::photographed(performance, &looks);
     let mut renderer = Renderer::new(Backend::Cpu, CELL)?;
     let mut cells = Vec::new();
     for view in VIEWS {

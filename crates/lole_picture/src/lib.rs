@@ -71,8 +71,8 @@ pub struct BodyPart {
 
 /// A dancer's skin as it is photographed from near by.
 pub struct FinerSkin {
-    /// Number of its vertices; those of her skin come first.
-    pub count: usize,
+    /// How it is made of her skin.
+    pub finer: Finer,
     /// Triangles of each part, in their order.
     pub parts: Vec<Vec<[u32; 3]>>,
     /// Where its vertices lie on the pictures of the skin.
@@ -98,9 +98,9 @@ impl FinerSkin {
         });
         Some(Self {
             parts: parts.collect(),
-            count: finer.count(),
             uvs: finer.spread(&skin.uvs),
             colors: finer.spread(&skin.colors),
+            finer,
         })
     }
 }
@@ -125,10 +125,8 @@ pub struct Cover {
 
 /// A surface of what is worn as it is photographed from near by.
 pub struct FinerCover {
-    /// Number of its vertices.
-    pub count: usize,
-    /// Its triangles.
-    pub triangles: Vec<[u32; 3]>,
+    /// How it is made of the surface.
+    pub finer: Finer,
     /// Where its vertices lie on the print, in repeats.
     pub uvs: Vec<Vec2>,
 }
@@ -137,9 +135,8 @@ impl FinerCover {
     fn of(surface: WornSurface<'_>, uvs: &[Vec2]) -> Option<Self> {
         let finer = surface.finer()?;
         Some(Self {
-            count: finer.count(),
             uvs: finer.spread(uvs),
-            triangles: finer.triangles,
+            finer,
         })
     }
 }
@@ -147,9 +144,9 @@ impl FinerCover {
 impl Cover {
     /// Triangles and places on the print of so many vertices of it.
     fn drawn(&self, count: usize) -> (&[[u32; 3]], &[Vec2]) {
-        let finer = self.finer.as_ref().filter(|finer| finer.count == count);
-        finer.map_or((&self.triangles, &self.uvs), |finer| {
-            (&finer.triangles, &finer.uvs)
+        let finer = self.finer.as_ref().filter(|it| it.finer.count() == count);
+        finer.map_or((&self.triangles, &self.uvs), |it| {
+            (&it.finer.triangles, &it.uvs)
         })
     }
 }
@@ -194,7 +191,7 @@ impl Strands {
 }
 
 impl Looks {
-    /// Draws prints and hair once, with all that [`Moment::photographed`] shows.
+    /// Draws prints and hair once, with what [`Moment::photographed`] rounds.
     ///
     /// # Errors
     /// A picture that was not read or cannot be a texture.
@@ -296,7 +293,7 @@ impl Looks {
             }
         });
         let [positions, normals] = dancer.body;
-        let finer = (self.finer_skin.as_ref()).filter(|finer| finer.count == positions.len());
+        let finer = (self.finer_skin.as_ref()).filter(|it| it.finer.count() == positions.len());
         let parts = self.parts.iter().enumerate().map(|(place, part)| {
             let (uvs, colors, triangles) = finer.map_or(
                 (&self.skin_uvs, &self.skin_colors, &part.triangles),

@@ -2,10 +2,11 @@
 
 use glam::{Affine3A, Vec3};
 use lole_body::{Dancer, Expression, Swing};
+use lole_geom::finer::Finer;
 use lole_render::Material;
 use lole_stage::{Performance, Production, Vertices};
 
-use crate::alive;
+use crate::{Looks, alive};
 
 /// Dancer and what she wears in one moment, as they are drawn.
 #[derive(Debug, Clone, Copy)]
@@ -65,18 +66,20 @@ impl Moment {
     }
 
     /// The present frame of a performance as it is photographed from near by: nobody blinks, hair has its strands, and
-    /// her skin and what is sewn are rounded.
+    /// her skin and what is sewn are rounded where `looks` are those of [`Looks::photographed`].
     #[must_use]
-    pub fn photographed(performance: &Performance) -> Self {
+    pub fn photographed(performance: &Performance, looks: &Looks) -> Self {
         let mut moment = Self::still(performance);
-        let production = performance.production();
-        if let Some(drawn) = &production.dancer.drawn_body {
-            let [positions, normals] = &moment.body;
-            moment.body = drawn.finer().rounded([positions, normals]);
+        let rounded = |surface: &mut Vertices, finer: &Finer| {
+            let [positions, normals] = &*surface;
+            *surface = finer.rounded([positions, normals]);
+        };
+        if let Some(skin) = &looks.finer_skin {
+            rounded(&mut moment.body, &skin.finer);
         }
-        for (surface, worn) in production.surfaces().zip(&mut moment.worn) {
-            if let Some(finer) = surface.finer() {
-                *worn = finer.rounded([&worn[0], &worn[1]]);
+        for (worn, cover) in moment.worn.iter_mut().zip(&looks.worn) {
+            if let Some(cover) = &cover.finer {
+                rounded(worn, &cover.finer);
             }
         }
         moment

@@ -115,7 +115,7 @@ pub fn stand(
 pub fn of_booklet(performance: &Performance) -> Result<Worn, PortraitError> {
     let cameras = still_cameras(performance, COVER);
     let looks = paper_looks(performance, Looks::photographed)?;
-    let moment = Moment::photographed(performance);
+    let moment = Moment::photographed(performance, &looks);
     let view = |wanted: View| {
         let place = STILLS.iter().position(|still| still.view == wanted);
         let camera = place.and_then(|place| cameras.get(place).copied());

@@ -91,7 +91,7 @@ impl PhotoStudio {
         camera: Camera,
         renderer: &mut Renderer,
     ) -> Result<Image, RenderError> {
-        let moment = Moment::photographed(performance);
+        let moment = Moment::photographed(performance, &self.looks);
         let scene = (self.looks).scene(&moment.dancer(), camera, Lamps::WithCamera);
         renderer.render(&scene)
     }

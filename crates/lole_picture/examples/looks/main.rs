@@ -93,7 +93,7 @@ fn shot(situation: &Situation) -> Result<Image, Box<dyn Error>> {
     }
     performance.pose_body();
     let looks = Looks::photographed(&design, performance.production())?;
-    let moment = Moment::photographed(&performance);
+    let moment = Moment::photographed(&performance, &looks);
     let camera = camera(&performance, situation);
     let scene = looks.scene(&moment.dancer(), camera, Lamps::WithCamera);
     Ok(Renderer::new(Backend::Cpu, FULL)?.render(&scene)?)
