@@ -11,6 +11,7 @@ mod features;
 pub(crate) mod open_hair;
 mod paint;
 mod weld;
+mod years;
 
 pub(crate) use build::build_drawn;
 pub use open_hair::{Combed, HairKnot, OpenHair, Swing};

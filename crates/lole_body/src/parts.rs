@@ -132,8 +132,8 @@ pub(crate) struct HeadPlaces {
 
 /// How much she smiles: a hint of it, as one dances.
 const SMILE: f32 = 0.28;
-/// Radius of the eye [m] that the smile was measured with.
-const SMILE_EYE: f32 = 0.0143;
+/// Radius of the mean woman's eye [m], by which lengths of a face are told.
+const MEAN_EYE: f32 = 0.0143;
 
 fn broken(reason: impl ToString) -> BodyError {
     BodyError::Sections {
@@ -168,7 +168,7 @@ pub(crate) fn head(shares: &Shares) -> Result<HeadPart, BodyError> {
     let middle = run(&told.mid);
     let smiling = run(&told.smile.i);
     let moves = told.smile.d.as_chunks::<3>().0;
-    let by = SMILE * raw.unit * eye_radius / SMILE_EYE;
+    let by = SMILE * raw.unit * eye_radius / MEAN_EYE;
     for (&point, step) in smiling.iter().zip(moves) {
         part.positions[point as usize] += triple(*step) * by;
     }
@@ -285,6 +285,13 @@ impl Raw {
             open: self.ao.iter().map(|percent| percent / 100.0).collect(),
             nails: self.nail.clone(),
         })
+    }
+}
+
+impl HeadPart {
+    /// How large its face is over the mean woman's.
+    pub(crate) fn size(&self) -> f32 {
+        self.eye_radius / MEAN_EYE
     }
 }
 

@@ -5,16 +5,19 @@ use lole_geom::triangle_grid::{TriangleGrid, blend};
 
 use super::face::{self, LidPoint};
 use super::weld::{self, Seam};
-use super::{DrawnBody, armhole, eyes, features, paint};
-use crate::parts::{self, HeadPart, Part};
+use super::{DrawnBody, armhole, eyes, features, paint, years};
+use crate::parts::{self, HeadPart, Part, Shares};
 use crate::skin_build::{Half, add_hinges};
 use crate::skin_weights::Row;
 use crate::surface::Shape;
 use crate::surface::field::Head;
+use crate::surface::warp::smooth_step;
 use crate::{Appearance, BodyError, Bone, Figure, PartKind, Skeleton};
 
 /// Cells [m] in which the skin's triangles are found: twice their edges.
 const CELL: f32 = 0.012;
+/// How near to the neck's edge nothing moves, and from where on everything does [m].
+const NECK: [f32; 2] = [0.004, 0.045];
 /// How far from a part the skin is looked for whose place it takes [m].
 const FARTHEST: f32 = 1.0;
 
@@ -50,7 +53,7 @@ pub(crate) fn build_drawn(
         skin.sew(&mut half, &mut part, (colors, &nails), skeleton.joint(tip));
     }
     let mut head = parts::head(&made_of.head)?;
-    features::shape(&mut head, &made_of.head, appearance)?;
+    shape_head(&mut head, &made_of.head, appearance)?;
     place_head(&mut head, shape);
     let colors = paint::head(&head, figure, appearance);
     let crown = Vec3::new(0.0, shape.body.height, shape.body.head.center.z);
@@ -86,6 +89,36 @@ pub(crate) fn build_drawn(
         eyes,
     };
     Ok((drawn, scalp))
+}
+
+/// Gives a head that is made of these shares the years and the features that were chosen.
+fn shape_head(
+    head: &mut HeadPart,
+    shares: &Shares,
+    appearance: &Appearance,
+) -> Result<(), BodyError> {
+    let free = free_of_the_neck(head);
+    years::grow(head, shares, (appearance.age_years, &free))?;
+    features::choose(head, &appearance.face, &free);
+    years::line(head, appearance.age_years);
+    for &point in &head.middle {
+        head.part.positions[point as usize].x = 0.0;
+    }
+    Ok(())
+}
+
+/// How far each point may move: where the head meets the neck, nothing does.
+fn free_of_the_neck(head: &HeadPart) -> Vec<f32> {
+    let positions = &head.part.positions;
+    let rim: Vec<Vec3> = (head.part.rim.iter())
+        .map(|&point| positions[point as usize])
+        .collect();
+    let free = positions.iter().map(|place| {
+        let apart = rim.iter().map(|end| end.distance_squared(*place));
+        let nearest = apart.fold(f32::INFINITY, f32::min).sqrt();
+        smooth_step((nearest - NECK[0]) / (NECK[1] - NECK[0]))
+    });
+    free.collect()
 }
 
 /// Carries a head and its eye to the body's measures.
@@ -188,5 +221,37 @@ impl ContactSkin<'_> {
         }
         let normals = corners.map(|corner| self.shape.normals[corner as usize]);
         (row, blend(normals, nearest.barycentric).normalize_or_zero())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Face;
+
+    /// The neck's edge stays to the bit, at every age of every measured head.
+    #[test]
+    fn no_year_moves_the_neck() {
+        for name in [
+            "woman_mean",
+            "woman_60s",
+            "woman_large",
+            "man_mean",
+            "child_8",
+        ] {
+            let shares = vec![(name.to_owned(), 1.0)];
+            let before = parts::head(&shares).unwrap();
+            let mut after = before.clone();
+            let looks = Appearance {
+                face: Face::of_seed(5),
+                age_years: Some(95.0),
+                ..Appearance::default()
+            };
+            shape_head(&mut after, &shares, &looks).unwrap();
+            for &point in &before.part.rim {
+                let [from, to] = [&before, &after].map(|head| head.part.positions[point as usize]);
+                assert_eq!(from, to, "{name}");
+            }
+        }
     }
 }

@@ -242,7 +242,7 @@ impl Loose {
             (1.0, 0.0),
         ];
         let normals = vertex_normals(&head.part.positions, &head.part.triangles);
-        let half = head.eye_radius / 0.0143
+        let half = head.size()
             * match figure {
                 Figure::Man => 3.4e-3,
                 Figure::Child => 2.1e-3,
@@ -310,7 +310,7 @@ impl Loose {
             });
             places[0].lerp(places[1], place.fract())
         };
-        let size = head.eye_radius / 0.0143;
+        let size = head.size();
         let mut columns = Vec::new();
         for lash in 0..LASHES {
             let share = (lash as f32 + 0.5) / LASHES as f32;

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use lole_geom::trig;
 
-use super::features;
+use super::years;
 use crate::appearance::oldness;
 use crate::parts::{HeadPart, Part};
 use crate::surface::warp::smooth_step;
@@ -155,14 +155,14 @@ pub(super) fn head(head: &HeadPart, figure: Figure, appearance: &Appearance) -> 
     }
     let [tip, nostril] =
         [head.places.pronasale, head.places.nostril].map(|point| part.positions[point as usize]);
-    let size = head.eye_radius / 0.0143;
+    let size = head.size();
     for (color, &place) in colors.iter_mut().zip(&part.positions) {
         let near =
             |center: Vec3, reach: f32| smooth_step(1.0 - place.distance(center) / (reach * size));
         tint(color, CHEEK, 0.7 * tones.cheeks * near(tip, 0.02));
         tint(color, NOSTRIL, 0.45 * near(nostril, 0.005));
     }
-    if let Some(lined) = features::lined(head, appearance.age_years) {
+    if let Some(lined) = years::lined(head, appearance.age_years) {
         for (color, light) in colors.iter_mut().zip(lined) {
             // As in any hollow, red goes last.
             *color *= Vec3::new(light, light * light, light * light);
