@@ -246,12 +246,9 @@ impl RosterDancer {
     }
 }
 
-/// A seed that a name always has, and hardly another name: the hash FNV-1a (Fowler, Noll, Vo) in 32 bits.
+/// A seed that a name always has, and hardly another name; 0 would be the measured face.
 fn seed_of(name: &str) -> u64 {
-    let hash = name.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
-        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
-    });
-    u64::from(hash).max(1)
+    (lole_geom::fnv::hash(name.bytes()) >> 32).max(1)
 }
 
 /// Key of the height of a hem.
@@ -429,6 +426,28 @@ fn surplus(head: &Record, rows: &[Record]) -> Option<Sentence> {
     })
 }
 
+/// What is said of rows whose age is none: it changes pictures alone, so nobody is left out for it.
+fn ageless(columns: &[Column], rows: &[Record]) -> Option<Sentence> {
+    let column = columns.iter().find(|it| it.meaning == Meaning::Age)?;
+    let is_none = |row: &&Record| columns::age(row.cell(column.index)).is_err();
+    let lines = rows.iter().filter(is_none).map(|row| row.line.to_string());
+    let lines: Vec<String> = lines.collect();
+    let [youngest, oldest] = columns::ages();
+    let head = &column.head;
+    (!lines.is_empty()).then(|| {
+        Sentence::new(
+            format!(
+                "{} 行目: 「{head}」は {youngest} から {oldest} までの数として読めず、使いませんでした。年齢は絵の顔と髪だけを変えます",
+                lines.join("、")
+            ),
+            format!(
+                "line {}: \"{head}\" is no number from {youngest} to {oldest} and was not used; ages change face and hair of pictures alone",
+                lines.join(", ")
+            ),
+        )
+    })
+}
+
 /// Reads a list of dancers.
 ///
 /// # Errors
@@ -448,6 +467,7 @@ pub fn read(bytes: &[u8]) -> Result<Roster, RosterError> {
     }
     let mut notes: Vec<Sentence> = skipped(&titles, &sums).into_iter().chain(notes).collect();
     notes.extend(surplus(&head, &rows));
+    notes.extend(ageless(&columns, &rows));
     notes.extend(settle_units(&mut columns, &rows, separator));
     let mut roster = Roster {
         dancers: Vec::new(),
@@ -517,7 +537,10 @@ fn dancer(
             _ if cells::is_formula(cell) => Err(formula(cell)),
             Meaning::Name => name(cell, others).map(|name| dancer.name = name),
             Meaning::Figure => figure(cell).map(|figure| dancer.figure = figure),
-            Meaning::Age => age(cell).map(|age| dancer.age_years = age),
+            Meaning::Age => {
+                dancer.age_years = columns::age(cell).unwrap_or_default();
+                Ok(())
+            }
             Meaning::Measure(measure) => length(cell, measure, column.unit, separator)
                 .map(|cm| dancer.tape_cm.extend(cm.map(|cm| (measure, cm)))),
         };
@@ -579,21 +602,6 @@ fn figure(cell: &str) -> Result<Option<Figure>, Sentence> {
         Sentence::new(
             format!("「{cell}」は読めません。女性、男性、子ども のどれかを書くか、空けてください"),
             format!("\"{cell}\" cannot be read; write woman, man or child, or leave it empty"),
-        )
-    })
-}
-
-fn age(cell: &str) -> Result<Option<f64>, Sentence> {
-    columns::age(cell).map_err(|()| {
-        let cell: String = cell.chars().take(40).collect();
-        let [youngest, oldest] = columns::AGES;
-        Sentence::new(
-            format!(
-                "「{cell}」は年齢として読めません。{youngest} から {oldest} までの数を書くか、空けてください"
-            ),
-            format!(
-                "\"{cell}\" is no age; write a number of years from {youngest} to {oldest}, or leave it empty"
-            ),
         )
     })
 }

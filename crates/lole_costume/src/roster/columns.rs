@@ -6,6 +6,7 @@ use lole_language::{Sentence, Words, words};
 use super::RosterError;
 use super::cells::Record;
 use super::lengths::{Unit, narrow};
+use crate::document::schema::{self, Kind};
 
 /// A column that is read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -59,10 +60,7 @@ const HEADS: &[(Meaning, &[&str])] = &[
         Meaning::Figure,
         &["体型", "体形", "性別", "figure", "sex", "gender"],
     ),
-    (
-        Meaning::Age,
-        &["年齢", "年令", "年齢歳", "歳", "age", "ageyears", "years"],
-    ),
+    (Meaning::Age, &["年齢", "年令", "年齢歳", "age", "ageyears"]),
     (
         Meaning::Measure(Measure::Stature),
         &["身長", "stature", "height", "bodyheight"],
@@ -278,19 +276,29 @@ pub(super) fn figure(cell: &str) -> Result<Option<Figure>, ()> {
     }))
 }
 
-/// How old a cell says she is [years]; `None` of an empty one.
+/// How old a cell says she is [years], `67`, `６７歳` or `60代`, of which the middle counts; `None` of an empty one.
 pub(super) fn age(cell: &str) -> Result<Option<f64>, ()> {
     let cell = narrow(cell);
-    let cell = cell.trim();
-    let number = cell.trim_end_matches(['歳', '才']).trim();
-    match number {
-        "" | "-" => Ok(None),
-        _ => match number.parse() {
-            Ok(years) if (AGES[0]..=AGES[1]).contains(&years) => Ok(Some(years)),
-            _ => Err(()),
-        },
+    let number = cell.trim().trim_end_matches(['歳', '才']).trim_end();
+    if matches!(number, "" | "-") {
+        return Ok(None);
     }
+    let (number, more) = match number.strip_suffix('代') {
+        Some(decade) => (decade, 5.0),
+        None => (number, 0.0),
+    };
+    let years = number.parse::<f64>().map_err(drop)? + more;
+    let [youngest, oldest] = ages();
+    (youngest..=oldest)
+        .contains(&years)
+        .then_some(Some(years))
+        .ok_or(())
 }
 
-/// Youngest and oldest dancer [years].
-pub(super) const AGES: [f64; 2] = [3.0, 100.0];
+/// Youngest and oldest dancer [years], as a design may have them.
+pub(super) fn ages() -> [f64; 2] {
+    match schema::key("dancer", "age_years").map(|key| &key.kind) {
+        Some(Kind::Number { min, max, .. }) => [*min, *max],
+        _ => [0.0, f64::INFINITY],
+    }
+}

@@ -330,10 +330,29 @@ fn everybody_has_her_own_face_and_years() {
     design.face.features[0] = Some(0.5);
     let alike = roster.dancers.iter().map(|it| it.design(&design).face);
     assert!(alike.into_iter().all(|face| face == design.face));
-    for wrong in ["2", "101", "-8", "nan", "sixty", "1e9"] {
-        let told = problem(&format!("name,hip,age\na,91,{wrong}\n"));
-        assert!(told.starts_with("line 2, column 3 (age)"), "{told}");
-    }
+}
+
+/// An age that is none stops nobody: it is left out, and said once for all of its lines.
+#[test]
+fn an_age_that_is_none_is_left_out_and_said() {
+    let listed = "name,hip,age\na,91,60代\nb,91,2\nc,91,101\nd,91,-8\ne,91,nan\nf,91,sixty\ng,91,1e9\nh,91,\ni,91,100\n";
+    let roster = read_text(listed);
+    assert!(roster.problems.is_empty(), "{:?}", roster.problems);
+    let ages: Vec<Option<f64>> = roster.dancers.iter().map(|it| it.age_years).collect();
+    let mut wanted = [None; 9];
+    (wanted[0], wanted[8]) = (Some(65.0), Some(100.0));
+    assert_eq!(ages, wanted);
+    let [note] = &roster.notes[..] else {
+        panic!("{:?}", roster.notes);
+    };
+    assert!(
+        note.english.starts_with("line 3, 4, 5, 6, 7, 8: "),
+        "{note:?}"
+    );
+    assert!(
+        note.japanese.starts_with("3、4、5、6、7、8 行目"),
+        "{note:?}"
+    );
 }
 
 /// A skirt worn at 88 cm by a dancer of 160 cm is worn at 96.8 cm by one of 176 cm; the hem stays.
