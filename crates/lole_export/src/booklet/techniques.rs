@@ -8,6 +8,7 @@ use lole_costume::order::DancerPlan;
 use lole_language::{Language, Words, words};
 use lole_pattern::pattern::Step;
 
+use super::keep;
 use super::style::head;
 use crate::canvas::Canvas;
 use crate::pdf::{Align, Flow, Rect, TextStyle};
@@ -21,7 +22,7 @@ const GAP: f64 = 6.0;
 pub(super) struct Technique {
     pub(super) title: Words,
     how: Words,
-    /// A step whose English words have one of these asks for it.
+    /// A step in whose English words one of these begins a word asks for it.
     asked: &'static [&'static str],
     draw: fn(&mut Canvas<'_>),
 }
@@ -61,7 +62,7 @@ const TECHNIQUES: &[Technique] = &[
             "縫い代の端をジグザグで縫い、ほつれを止めます。アイロンの先で縫い目を開き、左右に倒して押さえます。",
             "Sew over the raw edges with a zigzag stitch so that they do not fray. Open the seam with the tip of the iron and press its allowances to either side.",
         ),
-        asked: &["zigzag", "press"],
+        asked: &["neaten"],
         draw: drawings::pressed_open,
     },
     Technique {
@@ -79,7 +80,7 @@ const TECHNIQUES: &[Technique] = &[
             "斜めに裁った布を中表に縫い付け、端をくるんで裏へ返し、縫い代を折り込んで、縫い目のきわをまつります。引っぱらずに置くと、曲線になじみます。",
             "Sew the strip on with the right sides together, take it over the raw edge to the wrong side, turn its own edge under and stitch it down. Cut on the bias and not stretched, it follows any curve.",
         ),
-        asked: &["bias", "bind"],
+        asked: &["bias"],
         draw: drawings::bound,
     },
     Technique {
@@ -97,7 +98,7 @@ const TECHNIQUES: &[Technique] = &[
             "先に安全ピンを付けて通します。もう一方の端は、口の外に留めておきます。通したら、ねじれていないか指でたどります。",
             "Put a safety pin through one end and work it along; pin the other end outside of the opening. When it is through, feel along it that it has not twisted.",
         ),
-        asked: &["casing", "safety pin", "thread"],
+        asked: &["casing", "thread the elastic", "draw an elastic"],
         draw: drawings::threaded,
     },
     Technique {
@@ -135,14 +136,24 @@ pub(super) fn asked<'a>(steps: impl Iterator<Item = &'a Step>) -> Vec<&'static T
     let said: Vec<String> = steps.map(said).collect();
     let is_asked = |technique: &&Technique| {
         let mut asked = technique.asked.iter();
-        asked.any(|word| said.iter().any(|step| step.contains(word)))
+        asked.any(|word| said.iter().any(|step| says(step, word)))
     };
     TECHNIQUES.iter().filter(is_asked).collect()
 }
 
+/// Whether a text has a word that begins so: "hem" and "hemmed", but not "them".
+fn says(text: &str, begins: &str) -> bool {
+    let mut found = text.match_indices(begins);
+    found.any(|(at, _)| !text[..at].ends_with(char::is_alphabetic))
+}
+
 /// Draws those that the steps of a costume ask for; nothing where they ask for none.
 pub(super) fn draw(flow: &mut Flow, plan: &DancerPlan, language: Language) {
-    let garments = plan.garments.iter();
+    // Petals are gathered and leaves bound, too, but not with a needle and thread of cloth.
+    let garments = plan
+        .garments
+        .iter()
+        .filter(|garment| keep::is_sewn(garment));
     let steps = garments.flat_map(|garment| &garment.tailored.pattern.steps);
     let techniques = asked(steps);
     if techniques.is_empty() {
@@ -205,7 +216,11 @@ mod tests {
                 .collect()
         };
         assert!(titles(&[]).is_empty());
-        assert!(titles(&[step("Tie the leaves to the cord.")]).is_empty());
+        assert!(titles(&[step("Tie the leaves to the cord and spread them.")]).is_empty());
+        assert_eq!(
+            titles(&[step("Hemmed all around.")]),
+            ["A hem folded twice"]
+        );
         let sewn = [step("Sew the dart."), step("Gather the lower edge.")];
         assert_eq!(titles(&sewn), ["A dart", "Gathering"]);
         let by_hand = step("Sew it.").or_by_hand(Sentence::new("", "Sew it in small stitches."));
