@@ -258,7 +258,7 @@ mod tests {
         let mut met: BTreeMap<[[i64; 3]; 2], u32> = BTreeMap::new();
         for &[a, b, c] in &finer.triangles {
             for side in [[a, b], [b, c], [c, a]] {
-                #[expect(clippy::cast_possible_truncation, reason = "nanometers of a sheet")]
+                #[expect(clippy::cast_possible_truncation, reason = "micrometers of a sheet")]
                 let place = |end: u32| {
                     let place = rounded[end as usize] * 1.0e6;
                     place.to_array().map(|it| it.round() as i64)

@@ -14,7 +14,6 @@ use crate::bake::Bake;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
 use crate::renderer::RoomLight;
-use crate::shade::{KeyShadow, SOFTEST_DISTANCE, Surface};
 use crate::srgb::SrgbTable;
 use crate::surroundings::Paints;
 use crate::{Image, Scene, Size};
@@ -47,25 +46,9 @@ impl CpuRenderer {
         let reflection = Reflection::of(scene, &geometry, (&bake, &frame), &self.srgb);
         let corners = raster::screen_corners(&geometry, &frame);
         let grid = TileGrid::new(size, &geometry, &corners);
-        let picture = Picture {
-            scene,
-            geometry: &geometry,
-            bake: &bake,
-            frame: &frame,
-            srgb: &self.srgb,
-            shadow: KeyShadow {
-                map: &bake.key_map,
-                clear_above: &bake.key_clear,
-                tangent: frame.key_toward.w,
-                softest: SOFTEST_DISTANCE,
-            },
-            paints: Paints::of(&scene.background, &self.srgb, reflection.as_ref()),
-            surfaces: scene
-                .meshes
-                .iter()
-                .map(|mesh| Surface::of(mesh.material))
-                .collect(),
-        };
+        let lit = (&geometry, &bake);
+        let paints = Paints::of(&scene.background, &self.srgb, reflection.as_ref());
+        let picture = Picture::of(scene, lit, (&frame, &self.srgb), paints);
         let tiles: Vec<Vec<u8>> = (0..grid.tile_count())
             .into_par_iter()
             .map(|tile| {

@@ -7,7 +7,6 @@ use super::tiles::{TILE, TileGrid};
 use crate::bake::Bake;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
-use crate::shade::{KeyShadow, SOFTEST_DISTANCE, Surface};
 use crate::srgb::SrgbTable;
 use crate::{Background, Scene, Size, whole};
 use glam::{Mat4, Vec2, Vec3, Vec4};
@@ -52,23 +51,7 @@ impl Reflection {
         let frame = picture.seen_from_below(ground.height, size);
         let corners = raster::screen_corners(geometry, &frame);
         let grid = TileGrid::new(size, geometry, &corners);
-        let drawn = Picture {
-            scene,
-            geometry,
-            bake,
-            frame: &frame,
-            srgb,
-            shadow: KeyShadow {
-                map: &bake.key_map,
-                clear_above: &bake.key_clear,
-                tangent: frame.key_toward.w,
-                softest: SOFTEST_DISTANCE,
-            },
-            paints: None,
-            surfaces: (scene.meshes.iter())
-                .map(|mesh| Surface::of(mesh.material))
-                .collect(),
-        };
+        let drawn = Picture::of(scene, (geometry, bake), (&frame, srgb), None);
         let tiles: Vec<Vec<Vec4>> = (0..grid.tile_count())
             .into_par_iter()
             .map(|tile| {

@@ -7,7 +7,7 @@ use crate::Scene;
 use crate::bake::Bake;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
-use crate::shade::{self, KeyShadow, Point, Surface};
+use crate::shade::{self, KeyShadow, Point, SOFTEST_DISTANCE, Surface};
 use crate::srgb::SrgbTable;
 use crate::surroundings::{self, Paints};
 use glam::{Vec2, Vec3, Vec4};
@@ -23,6 +23,32 @@ pub(super) struct Picture<'a> {
     pub(super) shadow: KeyShadow<'a>,
     /// What a landscape is painted with; `None` where there is none.
     pub(super) paints: Option<Paints<'a>>,
+}
+
+impl<'a> Picture<'a> {
+    pub(super) fn of(
+        scene: &'a Scene<'a>,
+        (geometry, bake): (&'a Geometry, &'a Bake),
+        (frame, srgb): (&'a Frame, &'a SrgbTable),
+        paints: Option<Paints<'a>>,
+    ) -> Self {
+        let materials = scene.meshes.iter().map(|mesh| mesh.material);
+        Self {
+            scene,
+            geometry,
+            bake,
+            frame,
+            srgb,
+            surfaces: materials.map(Surface::of).collect(),
+            shadow: KeyShadow {
+                map: &bake.key_map,
+                clear_above: &bake.key_clear,
+                tangent: frame.key_toward.w,
+                softest: SOFTEST_DISTANCE,
+            },
+            paints,
+        }
+    }
 }
 
 /// RGBA of the pixels of a tile, row by row.
