@@ -10,4 +10,4 @@ mod pipeline;
 
 pub(crate) use device::may_exist;
 pub(crate) use draw::GpuRenderer;
-pub use live::{AmbientLight, Effort, LiveView, Overlay, OverlayLine};
+pub use live::{AmbientLight, Effort, LivePass, LiveView, Overlay, OverlayLine, PassCost};

@@ -37,7 +37,7 @@ mod whole;
 pub use backdrop::{Background, Gradient, Ground, Landscape};
 pub use camera::{Bounds, Camera, View};
 pub use error::RenderError;
-pub use gpu::{AmbientLight, Effort, LiveView, Overlay, OverlayLine};
+pub use gpu::{AmbientLight, Effort, LivePass, LiveView, Overlay, OverlayLine, PassCost};
 pub use image::{Exposure, Image, Size};
 pub use light::{KeyLight, LightRig, SoftBox};
 pub use material::{BackShade, Material, Sides};

@@ -5,8 +5,11 @@
 //! cheaper here: the key light's map and the floor's light are drawn by the adapter, and the light
 //! of the room ([`AmbientLight`]) is worked out now and then, on any thread, and faded in.
 
+mod budget;
 mod meshes;
 mod pipelines;
+
+pub use budget::{LivePass, PassCost};
 
 use super::device::Device;
 use super::draw::{check_side, checked, extent, view_entry};
@@ -190,8 +193,21 @@ impl LiveView {
             description: "the window's adapter".to_owned(),
             is_software: false,
         };
+        Self::on(gpu, size, effort)
+    }
+
+    /// Pictures of `size` by an adapter of its own, without a window.
+    ///
+    /// # Errors
+    /// [`RenderError::NoAdapter`] where there is none, [`RenderError`] where it refuses.
+    pub fn alone(size: Size, effort: Effort) -> Result<Self, RenderError> {
+        Self::on(Device::open()?, size, effort)
+    }
+
+    fn on(gpu: Device, size: Size, effort: Effort) -> Result<Self, RenderError> {
         size.check()?;
         check_side(&gpu, size)?;
+        let device = &gpu.device;
         let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
         let pipelines = LivePipelines::new(device, effort.samples());
         let targets = Targets::new(device, size, effort.samples());
@@ -212,6 +228,12 @@ impl LiveView {
             paints,
             frame_group,
         })
+    }
+
+    /// The adapter's name.
+    #[must_use]
+    pub fn description(&self) -> &str {
+        &self.gpu.description
     }
 
     /// Size of the pictures.
@@ -263,6 +285,18 @@ impl LiveView {
     pub fn draw(&mut self, scene: &Scene<'_>, overlay: Overlay<'_>) -> Result<(), RenderError> {
         scene.check()?;
         let scope = (self.gpu.device).push_error_scope(wgpu::ErrorFilter::Validation);
+        self.write(scene, overlay);
+        let mut encoder =
+            (self.gpu.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        for pass in self.passes_due() {
+            self.encode(pass, &mut encoder, overlay);
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+        checked(scope, "drawing")
+    }
+
+    /// Writes what the passes of a checked scene read.
+    fn write(&mut self, scene: &Scene<'_>, overlay: Overlay<'_>) {
         if !self.meshes.as_ref().is_some_and(|meshes| meshes.fit(scene)) {
             self.meshes = Some(LiveMeshes::new(&self.gpu, &self.pipelines, scene));
             self.has_light = false;
@@ -276,12 +310,31 @@ impl LiveView {
         }
         self.write_frame(scene);
         self.write_strokes(overlay);
-        let mut encoder =
-            (self.gpu.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.draw_shadows(&mut encoder);
-        self.draw_picture(&mut encoder, overlay);
-        self.gpu.queue.submit([encoder.finish()]);
-        checked(scope, "drawing")
+    }
+
+    /// Passes of the next picture, in their order: the floor's light stays for some pictures.
+    fn passes_due(&mut self) -> Vec<LivePass> {
+        let draws_floor = self.floor_due == 0;
+        self.floor_due = if draws_floor {
+            self.effort.floor_interval() - 1
+        } else {
+            self.floor_due - 1
+        };
+        let every = LivePass::DRAWN.into_iter();
+        every
+            .filter(|pass| draws_floor || !pass.is_of_the_floor())
+            .collect()
+    }
+
+    fn encode(&self, pass: LivePass, encoder: &mut wgpu::CommandEncoder, overlay: Overlay<'_>) {
+        let (shared, pipelines) = (&self.shared, &self.pipelines);
+        match pass {
+            LivePass::Writing => {}
+            LivePass::KeyMap => self.draw_casters(encoder, &shared.key_map, &pipelines.caster),
+            LivePass::FloorMap => self.draw_casters(encoder, &shared.under_map, &pipelines.under),
+            LivePass::Floor => self.draw_floor(encoder),
+            LivePass::Picture => self.draw_picture(encoder, overlay),
+        }
     }
 
     fn write_frame(&self, scene: &Scene<'_>) {
@@ -337,45 +390,36 @@ impl LiveView {
         }
     }
 
-    /// The key light's map, the map from below, and the floor's light by both.
-    fn draw_shadows(&mut self, encoder: &mut wgpu::CommandEncoder) {
-        let draws_floor = self.floor_due == 0;
-        self.floor_due = if draws_floor {
-            self.effort.floor_interval() - 1
-        } else {
-            self.floor_due - 1
-        };
-        let shared = &self.shared;
-        for (map, pipeline) in [
-            (&shared.key_map, &self.pipelines.caster),
-            (&shared.under_map, &self.pipelines.under),
-        ]
-        .into_iter()
-        .take(if draws_floor { 2 } else { 1 })
-        {
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("casters"),
-                depth_stencil_attachment: Some(depth_attachment(map, wgpu::StoreOp::Store)),
-                ..wgpu::RenderPassDescriptor::default()
-            });
-            let Some(meshes) = self.meshes.as_ref().filter(|m| m.index_count > 0) else {
-                continue;
-            };
-            pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, &shared.caster_group, &[]);
-            meshes.bind(&mut pass);
-            pass.draw_indexed(0..meshes.index_count, 0, 0..1);
-        }
-        if !draws_floor {
+    /// How deep everything lies as seen from a light.
+    fn draw_casters(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        map: &wgpu::TextureView,
+        pipeline: &wgpu::RenderPipeline,
+    ) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("casters"),
+            depth_stencil_attachment: Some(depth_attachment(map, wgpu::StoreOp::Store)),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        let Some(meshes) = self.meshes.as_ref().filter(|m| m.index_count > 0) else {
             return;
-        }
+        };
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, &self.shared.caster_group, &[]);
+        meshes.bind(&mut pass);
+        pass.draw_indexed(0..meshes.index_count, 0, 0..1);
+    }
+
+    /// The floor's light by the key light's map and the map from below.
+    fn draw_floor(&self, encoder: &mut wgpu::CommandEncoder) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("floor"),
-            color_attachments: &[Some(color_attachment(&shared.floor, None))],
+            color_attachments: &[Some(color_attachment(&self.shared.floor, None))],
             ..wgpu::RenderPassDescriptor::default()
         });
         pass.set_pipeline(&self.pipelines.floor);
-        pass.set_bind_group(0, &shared.floor_group, &[]);
+        pass.set_bind_group(0, &self.shared.floor_group, &[]);
         pass.draw(0..3, 0..1);
     }
 

@@ -236,6 +236,18 @@ impl LiveMeshes {
         self.vertices.len()
     }
 
+    /// How many of the meshes are drawn.
+    pub(super) fn drawn_count(&self) -> usize {
+        let drawn = self.parts.iter().filter(|part| !part.indices.is_empty());
+        drawn.count()
+    }
+
+    /// What [`Self::write`] writes of meshes that fit [byte].
+    pub(super) fn written_bytes(&self) -> u64 {
+        let surfaces = self.parts.len() * size_of::<Surface>();
+        self.vertex_buffer.size() + surfaces as u64
+    }
+
     /// Binds the vertices and triangles.
     pub(super) fn bind(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_vertex_buffer(0, self.vertex_buffer.slice(..));
