@@ -34,6 +34,7 @@ use lole_hula::{
 };
 
 use crate::fabrics::Preset;
+use lole_pattern::Alterations;
 use lole_print::{PrintLay, PrintMotif};
 
 pub use cost::{CostDesign, Currency, NotionPrices};
@@ -58,6 +59,8 @@ pub const VERSION: u64 = 1;
 pub struct Design {
     /// Who wears it.
     pub dancer: DancerDesign,
+    /// How fitted garments are altered for her.
+    pub alterations: Alterations,
     /// What makes her face unlike others.
     pub face: FaceDesign,
     /// The pāʻū skirt.

@@ -259,6 +259,7 @@ pub fn fitting<'a>(
 ) -> Fitting<'a> {
     Fitting {
         measures,
+        alterations: design.alterations,
         dancer: Some(dancer),
         cloth_width: Some(garment.fabric.width()),
         skirt_edge: Some(skirt_edge(&design.skirt, dancer)),

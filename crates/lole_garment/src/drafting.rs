@@ -2,6 +2,7 @@
 //! are made.
 
 pub(crate) mod accessory;
+pub(crate) mod altered;
 pub(crate) mod block;
 pub(crate) mod chosen;
 pub(crate) mod fitted;

@@ -236,6 +236,7 @@ pub fn dress(
     // Drafts go by measures alone, and the pieces of a file by tapes around her.
     let fitting = Fitting {
         dancer: spec.given.map(|_| dancer),
+        alterations: spec.alterations,
         ..Fitting::by(&measures)
     };
     let template = spec.template.id;

@@ -2,7 +2,7 @@
 
 use lole_body::Dancer;
 use lole_geom::Length;
-use lole_pattern::Measures;
+use lole_pattern::{Alteration, Alterations, Measures};
 
 use crate::template::GarmentLayer;
 
@@ -16,6 +16,8 @@ const WAY_STEP: f32 = 0.005;
 pub struct Fitting<'a> {
     /// What was measured of her.
     pub measures: &'a Measures,
+    /// How fitted garments are altered for her.
+    pub alterations: Alterations,
     /// She herself, where there is more of her than measures: a tape is put around her at any height.
     pub dancer: Option<&'a Dancer>,
     /// Width of its cloth, where that is known.
@@ -32,11 +34,22 @@ impl<'a> Fitting<'a> {
     pub const fn by(measures: &'a Measures) -> Self {
         Self {
             measures,
+            alterations: Alterations::NONE,
             dancer: None,
             cloth_width: None,
             skirt_edge: None,
             layer: None,
         }
+    }
+
+    /// The upper arm as fitted garments take it [m].
+    pub(crate) fn arm(&self) -> f64 {
+        self.measures.upper_arm_girth.to_m() + self.widened_sleeve()
+    }
+
+    /// What sleeves are wider by than the arm asks [m].
+    pub(crate) const fn widened_sleeve(&self) -> f64 {
+        self.alterations.of(Alteration::FullArm).to_m()
     }
 
     /// What a tape says around the trunk at `height` [m] above the floor: measured on the dancer where she is

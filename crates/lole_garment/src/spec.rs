@@ -1,7 +1,7 @@
 //! A garment as its maker decided it.
 
 use lole_cloth::Fabric;
-use lole_pattern::{DraftError, Pattern};
+use lole_pattern::{Alterations, DraftError, Pattern};
 
 use crate::fitting::Fitting;
 use crate::given::Given;
@@ -18,6 +18,8 @@ pub struct GarmentSpec<'a> {
     pub fabric: Fabric,
     /// Its colors.
     pub colors: Colors,
+    /// How it is altered where it is fitted.
+    pub alterations: Alterations,
     /// The pieces that it is cut after where a file has them.
     pub given: Option<&'a Given>,
 }

@@ -10,7 +10,7 @@ use lole_garment::Fitting;
 use lole_garment::template::{OptionKind, Options, TEMPLATES, Template};
 use lole_pattern::pattern::{Seam, SeamKind, SeamSide};
 use lole_pattern::piece::{Edge, Finish, LineKind, Mark};
-use lole_pattern::{Pattern, Piece};
+use lole_pattern::{Alteration, Alterations, Pattern, Piece};
 use proptest::prelude::*;
 
 use any::any_body;
@@ -362,6 +362,27 @@ proptest! {
             prop_assert!(pattern.is_some(), "{} is not drafted", template.id);
             let checked = pattern.as_ref().map_or(Ok(()), check);
             prop_assert!(checked.is_ok(), "{}: {}", template.id, checked.unwrap_err());
+        }
+    }
+
+    #[test]
+    fn seams_walk_however_a_garment_is_altered(
+        row in any_body(),
+        shares in proptest::collection::vec(0.0..1.0_f64, Alteration::ALL.len()),
+    ) {
+        let measures = of_row(&row);
+        let altered = Alteration::ALL.into_iter().zip(shares);
+        let alterations = altered.fold(Alterations::NONE, |all, (one, share)| {
+            let [least, most] = one.band_cm();
+            all.with_cm(one, least + share * (most - least))
+        });
+        let fitting = Fitting { alterations, ..Fitting::by(&measures) };
+        for template in TEMPLATES {
+            // Measures and alterations may exclude each other, and are then refused by name.
+            if let Ok(pattern) = (template.draft)(&fitting, &Options::of(template)) {
+                let checked = check(&pattern);
+                prop_assert!(checked.is_ok(), "{}: {}", template.id, checked.unwrap_err());
+            }
         }
     }
 }

@@ -26,6 +26,7 @@
 //! # Ok::<(), lole_pattern::DraftError>(())
 //! ```
 
+pub mod alterations;
 pub mod design;
 pub mod error;
 pub mod joining;
@@ -37,6 +38,7 @@ pub mod polygon;
 pub mod ratio;
 pub mod yardage;
 
+pub use alterations::{Alteration, Alterations};
 pub use error::DraftError;
 pub use marker::Marker;
 pub use measures::{Measure, Measures};

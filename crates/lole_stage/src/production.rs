@@ -15,7 +15,7 @@ use lole_costume::sew::{
 use lole_costume::tailoring;
 use lole_garment::dress::{self, Among, Bands, Division, Dressed};
 use lole_garment::template::WornRuffle;
-use lole_garment::{Fineness, WornPlace};
+use lole_garment::{Fineness, GarmentSpec, WornPlace};
 use lole_geom::{Length, MeshSurfels};
 use lole_pattern::Measures;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
@@ -554,7 +554,11 @@ fn dressed(
             inside: &inside,
             division,
         };
-        let sewn = dress::dress(&garment.spec(), body, stance, &among);
+        let spec = GarmentSpec {
+            alterations: design.alterations,
+            ..garment.spec()
+        };
+        let sewn = dress::dress(&spec, body, stance, &among);
         let sewn = sewn.map_err(|error| StageError::Garment {
             place: listed + 1,
             error: Box::new(error.into()),

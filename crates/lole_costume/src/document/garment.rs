@@ -7,7 +7,7 @@ use lole_garment::{
     Colors, Fineness, Fitting, GarmentLayer, GarmentSpec, Given, Options, Template,
 };
 use lole_language::Words;
-use lole_pattern::{DraftError, Pattern};
+use lole_pattern::{Alterations, DraftError, Pattern};
 use lole_print::PrintMotif;
 
 use super::{FabricDesign, PrintChoice, SkirtDesign};
@@ -153,7 +153,7 @@ impl GarmentDesign {
         self.spec().pattern(fitting)
     }
 
-    /// The garment as it is drafted and put on.
+    /// The garment as it is drafted and put on, without alterations.
     #[must_use]
     pub fn spec(&self) -> GarmentSpec<'_> {
         let print = self.print.print();
@@ -167,6 +167,7 @@ impl GarmentDesign {
                 leaf: print.leaf,
                 shadow: print.shadow,
             },
+            alterations: Alterations::NONE,
             given: self.file.as_ref().and_then(|file| file.given.as_deref()),
         }
     }

@@ -8,6 +8,7 @@
 mod rows;
 #[macro_use]
 mod print_rows;
+mod alterations;
 mod cost;
 mod face;
 mod garments;

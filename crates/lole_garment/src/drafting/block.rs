@@ -22,9 +22,9 @@
 use kurbo::{Affine, PathSeg, Point, Vec2};
 use lole_geom::trig64;
 use lole_language::words;
-use lole_pattern::{DraftError, Measure, Measures};
+use lole_pattern::{Alteration, Alterations, DraftError, Measure, Measures};
 
-use super::shape::{CM, at, curve, length};
+use super::shape::{CM, at, curve, length, line};
 
 /// What a garment asks of its block, in meters.
 #[derive(Debug, Clone, Copy)]
@@ -37,6 +37,8 @@ pub(crate) struct Fit {
     pub(crate) neck_dropped: [f64; 2],
     /// Armhole deeper than the block's.
     pub(crate) armhole_dropped: f64,
+    /// What a trial has shown.
+    pub(crate) alterations: Alterations,
 }
 
 /// A block: lines in the order and direction of a piece's edges, counterclockwise.
@@ -49,6 +51,8 @@ pub(crate) struct Block {
     pub(crate) dart_angle: f64,
     /// Height of the armhole's lowest level over the waist, before the front is pivoted.
     pub(crate) bust_line: f64,
+    /// What is folded out of the middle of the back over the waist.
+    pub(crate) folded_out: f64,
 }
 
 /// The left half of a front or back.
@@ -118,18 +122,21 @@ impl Block {
         let widths = Widths::new(measures, fit)?;
         let lengths = Lengths::new(measures, fit, &widths)?;
         let back_shoulder = widths.shoulder_line(&lengths, Side::Back);
+        // The front hangs as it does, however round the back is.
+        let unaltered_back = widths.shoulder_line(&lengths.of_upright_back(), Side::Back);
         let front_shoulder = widths.shoulder_line(&lengths, Side::Front);
         let back_underarm = at(widths.back + 0.5 * widths.armhole, lengths.bust_line);
-        let flat_underarm = at(widths.chest + 0.5 * widths.armhole, lengths.bust_line);
+        let flat_front = widths.chest + 0.5 * (widths.armhole + widths.full_bust);
+        let flat_underarm = at(flat_front, lengths.bust_line);
         let bust_point = at(0.5 * measures.bust_point_breadth.to_m(), lengths.bust_point);
         let dart_angle = dart_angle(
             measures,
             (flat_underarm, bust_point),
-            [back_shoulder[0].y, front_shoulder[0].y],
+            [unaltered_back[0].y, front_shoulder[0].y],
             lengths.bust_line,
         )?;
         let back = Half::new(back_underarm, 0.0, widths.back, back_shoulder, {
-            let center = at(0.0, lengths.nape - fit.neck_dropped[1]);
+            let center = at(0.0, lengths.nape + lengths.rounded - fit.neck_dropped[1]);
             (center, fit.neck_widened)
         });
         let underarm = Affine::rotate_about(dart_angle, bust_point) * flat_underarm;
@@ -143,6 +150,7 @@ impl Block {
             bust_point,
             dart_angle,
             bust_line: lengths.bust_line,
+            folded_out: fit.alterations.of(Alteration::SwayBack).to_m(),
         };
         block.check(measures)?;
         Ok(block)
@@ -184,6 +192,35 @@ impl Block {
             }
         }
         Ok(())
+    }
+
+    /// The middle of the back from `from` down to a level, of hips at `hip_y`. A fold that is taken out over the
+    /// waist turns what is below about the side: the seam comes in at the waist by as much as both angles are.
+    pub(crate) fn middle_of_back(&self, from: Point, hip_y: f64, foot_y: f64) -> Vec<PathSeg> {
+        if self.folded_out <= 0.0 {
+            return vec![line(from, at(0.0, foot_y))];
+        }
+        let foot_y = foot_y.min(-CM);
+        let (over, below) = (self.bust_line.min(from.y - 1.0 * CM), -hip_y);
+        let turned = self.folded_out / self.back.underarm.x;
+        let inwards = turned * over * below / (over + below);
+        let (blades, waist) = (at(0.0, over), at(inwards, 0.0));
+        let down = |reach: f64| Vec2::new(0.0, -0.4 * reach);
+        let mut way = vec![
+            line(from, blades),
+            curve(blades, down(over), down(over), waist),
+        ];
+        if foot_y < hip_y {
+            let hip = at(0.0, hip_y);
+            way.push(curve(waist, down(below), down(below), hip));
+            way.push(line(hip, at(0.0, foot_y)));
+        } else {
+            let share = foot_y / hip_y;
+            let left = 1.0 - share * share * (3.0 - 2.0 * share);
+            let foot = at(inwards * left, foot_y);
+            way.push(curve(waist, down(-foot_y), down(-foot_y), foot));
+        }
+        way
     }
 
     /// Both halves of the neckline, closed [m].
@@ -236,16 +273,21 @@ struct Widths {
     armhole: f64,
     shoulder: f64,
     drop: f64,
+    /// Shoulder points lower than measured.
+    lowered: f64,
     /// What the neckline takes of the shoulder.
     widened: f64,
+    /// Wider front over a full bust.
+    full_bust: f64,
 }
 
 impl Widths {
     fn new(measures: &Measures, fit: &Fit) -> Result<Self, DraftError> {
         let ease = 0.5 * fit.bust_ease;
-        let back = 0.5 * measures.back_breadth.to_m() + EASE_OF_BACK * ease;
+        let broad = 0.5 * fit.alterations.of(Alteration::BroadBack).to_m();
+        let back = 0.5 * measures.back_breadth.to_m() + EASE_OF_BACK * ease + broad;
         let chest = 0.5 * measures.chest_breadth.to_m() + EASE_OF_CHEST * ease;
-        let half = 0.5 * measures.bust_girth.to_m() + ease;
+        let half = 0.5 * measures.bust_girth.to_m() + ease + broad;
         let armhole = half - back - chest;
         let arm = measures.upper_arm_girth.to_m();
         // An arm is a third as thick as its girth, and its eye somewhat wider.
@@ -276,13 +318,16 @@ impl Widths {
             armhole,
             shoulder,
             drop: measures.shoulder_drop.to_m(),
+            lowered: fit.alterations.of(Alteration::SlopingShoulders).to_m(),
             widened: fit.neck_widened,
+            full_bust: fit.alterations.of(Alteration::FullBust).to_m(),
         })
     }
 
     /// From the shoulder point to the side of the neck. The back one is longer by its ease.
     fn shoulder_line(&self, lengths: &Lengths, side: Side) -> [Point; 2] {
-        let front_reach = Vec2::new(self.shoulder - self.neck, -1.1 * self.drop);
+        let run = self.shoulder - self.neck;
+        let front_reach = Vec2::new(run, -1.1 * self.drop - self.lowered);
         match side {
             Side::Front => {
                 let neck = at(self.neck, lengths.front_neck);
@@ -290,8 +335,9 @@ impl Widths {
             }
             Side::Back => {
                 let width = self.neck + 0.2 * CM;
-                let neck = at(width, lengths.nape + width / 3.0);
-                let reach = Vec2::new(self.shoulder - self.neck, -0.9 * self.drop);
+                let neck = at(width, lengths.nape + 0.5 * lengths.rounded + width / 3.0);
+                let drop = 0.9 * self.drop + self.lowered + 0.5 * lengths.rounded;
+                let reach = Vec2::new(run, -drop);
                 let sewn = (front_reach.hypot() - self.widened).max(0.0);
                 let ease = SHOULDER_EASE.min(SHARE_OF_SHOULDER * sewn);
                 let long = front_reach.hypot() + ease;
@@ -305,16 +351,29 @@ impl Widths {
 #[derive(Debug, Clone, Copy)]
 struct Lengths {
     nape: f64,
+    /// Nape higher over round shoulder blades, and half of it the neck's side; the shoulder point stays.
+    rounded: f64,
     front_neck: f64,
     bust_line: f64,
     bust_point: f64,
 }
 
 impl Lengths {
+    /// These, of a back that is not altered.
+    const fn of_upright_back(self) -> Self {
+        Self {
+            rounded: 0.0,
+            ..self
+        }
+    }
+
     fn new(measures: &Measures, fit: &Fit, widths: &Widths) -> Result<Self, DraftError> {
         let nape = measures.back_length.to_m();
         let bust = measures.bust_girth.to_m();
-        let depth = (bust / 12.0 + 13.7 * CM).min(DEEPEST_ARMHOLE * nape) + fit.armhole_dropped;
+        let by = |alteration| fit.alterations.of(alteration).to_m();
+        let depth = (bust / 12.0 + 13.7 * CM).min(DEEPEST_ARMHOLE * nape)
+            + fit.armhole_dropped
+            + by(Alteration::SlopingShoulders);
         let bust_line = nape - depth;
         let front_neck = measures.front_length.to_m() - ASLANT;
         // Both shoulders hang on the same arm: a front that is much shorter or longer than the back was
@@ -333,7 +392,8 @@ impl Lengths {
         }
         Ok(Self {
             nape,
-            front_neck,
+            rounded: by(Alteration::RoundBack),
+            front_neck: front_neck + by(Alteration::FullBust),
             bust_line,
             bust_point: over_waist.clamp(0.6 * bust_line, bust_line),
         })

@@ -7,7 +7,7 @@ use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
 
 use super::block::{Block, Half, SideDart};
 use super::making::{both_sides, cm, edges_of, plain, say, side, step};
-use super::shape::{CM, Label, edge, length, line, marked};
+use super::shape::{CM, Label, curve, edge, length, line, marked};
 use super::work::{Work, minutes};
 
 /// Allowance of seams [m], of sides and shoulders, which are fitted once more on the body [m].
@@ -253,15 +253,34 @@ pub(crate) fn hem_step(depth: f64, around: f64, figure: StepFigure) -> Step {
     .shown(figure)
 }
 
-/// A way down the middle: from the neckline to the hem.
-pub(crate) fn center_edge(id: &'static str, from: Point, to: Point, finish: Finish) -> Edge {
+/// The edge of a way down the middle, from the neckline to the hem.
+pub(crate) fn center_edge(id: &'static str, way: Vec<PathSeg>, finish: Finish) -> Edge {
     let allowance = if finish == Finish::Fold {
         0.0
     } else {
         FITTED_SEAM
     };
-    edge(id, vec![line(from, to)], finish, allowance)
+    edge(id, way, finish, allowance)
 }
+
+/// A hem from the middle, level there, to the side; straight where both are on one level.
+pub(crate) fn rising_hem(middle: Point, side: Point) -> PathSeg {
+    let rise = side.y - middle.y;
+    if rise.abs() < LEVEL {
+        return line(middle, side);
+    }
+    // A parabola.
+    let third = (side.x - middle.x) / 3.0;
+    curve(
+        middle,
+        Vec2::new(third, 0.0),
+        Vec2::new(third, 2.0 * rise / 3.0),
+        side,
+    )
+}
+
+/// Heights nearer than this are one [m].
+const LEVEL: f64 = 1.0e-9;
 
 /// Edges of a piece, from its `n`th on, are found by their names.
 pub(crate) fn place(piece: &Piece, id: &str) -> usize {

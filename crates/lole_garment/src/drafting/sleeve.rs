@@ -15,7 +15,7 @@ use lole_pattern::pattern::{Seam, SeamKind};
 use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Piece};
 use lole_pattern::{DraftError, Measure, Measures};
 
-use super::block::{Block, unfit};
+use super::block::{Block, NO_REMEDY, unfit};
 use super::shape::{CM, Label, at, back_notch, beside, curve, edge, length, line, marked, notch};
 use super::yoke::Yoked;
 use crate::drafting::making::{both_sides, eased, gathered, plain, side};
@@ -43,6 +43,8 @@ pub(crate) struct SleeveFit {
     pub(crate) hem: f64,
     /// Height of the cap over the height of the armhole.
     pub(crate) cap_height: f64,
+    /// Wider than that around the upper arm, at the same cap.
+    pub(crate) widened: f64,
 }
 
 /// A sleeve, and how its cap lies in the armhole.
@@ -63,6 +65,9 @@ pub(crate) struct Sleeve {
 
 /// Allowance of sleeve seams [m].
 pub(crate) const SEAM: f64 = 1.0 * CM;
+/// A cap lower than this [m] is none, and one that is higher than this over the armhole's height.
+const LOWEST_CAP: f64 = 2.0 * CM;
+const HIGHEST_CAP: f64 = 1.1;
 /// Ratio up to which a cap is eased between its notches; fuller ones are gathered.
 const MOST_EASE: f64 = 1.08;
 /// Notches of an armhole from the underarm up, over its length.
@@ -127,6 +132,19 @@ impl Sleeve {
                     remedy,
                 )
             })?;
+        let widths_at = |height: f64| {
+            let raised = height + fit.crown_raised;
+            [0, 1].map(|side| {
+                let wide = width_for(raised, side, armholes[side] * fit.cap_ratio);
+                wide.unwrap_or(widths[side])
+            })
+        };
+        let height = if fit.widened == 0.0 {
+            height
+        } else {
+            let width = |height: f64| widths_at(height).iter().sum::<f64>();
+            altered_cap(measures, (height, fit.widened), depth * HIGHEST_CAP, width)?
+        };
         let below = fit.length - height;
         if below < LEAST_BELOW {
             let least = height + LEAST_BELOW;
@@ -138,13 +156,10 @@ impl Sleeve {
             return Err(unfit(Measure::ArmLength, measures, band, remedy));
         }
         let raised = height + fit.crown_raised;
-        let widths = if fit.crown_raised == 0.0 {
+        let widths = if fit.crown_raised == 0.0 && fit.widened == 0.0 {
             widths
         } else {
-            let of_side = |side: usize| {
-                width_for(raised, side, armholes[side] * fit.cap_ratio).unwrap_or(widths[side])
-            };
-            [of_side(0), of_side(1)]
+            widths_at(height)
         };
         let [of_front, of_back] = [0, 1].map(|half| yokes.map(|yokes| &yokes[half]));
         let notches = [
@@ -313,9 +328,6 @@ fn cap_of(
     highest: f64,
     (wanted, ratio): (f64, f64),
 ) -> Option<(f64, [f64; 2])> {
-    /// A cap lower than this [m] is none.
-    const LOWEST: f64 = 2.0 * CM;
-    const HALVINGS: u32 = 60;
     let widths = |height: f64| -> Option<[f64; 2]> {
         let back = width_for(height, 0, armholes[0] * ratio)?;
         Some([back, width_for(height, 1, armholes[1] * ratio)?])
@@ -324,19 +336,50 @@ fn cap_of(
     if is_wide(highest) {
         return Some((highest, widths(highest)?));
     }
-    if !is_wide(LOWEST) {
+    if !is_wide(LOWEST_CAP) {
         return None;
     }
-    let (mut low, mut high) = (LOWEST, highest.max(LOWEST));
+    let least = |height: f64| widths(height).map_or(0.0, |[back, front]| back + front);
+    let height = height_for([LOWEST_CAP, highest.max(LOWEST_CAP)], wanted, least);
+    Some((height, widths(height)?))
+}
+
+/// Height of the cap that is wider by so much than that of a height, no higher than `highest`.
+fn altered_cap(
+    measures: &Measures,
+    (height, widened): (f64, f64),
+    highest: f64,
+    width: impl Fn(f64) -> f64,
+) -> Result<f64, DraftError> {
+    /// Less than a fitter sees [m].
+    const CLOSE: f64 = 0.05 * CM;
+    let wanted = width(height) + widened;
+    let altered = height_for([LOWEST_CAP, highest], wanted, &width);
+    let missing = wanted - width(altered);
+    if missing.abs() <= CLOSE {
+        return Ok(altered);
+    }
+    let arm = measures.upper_arm_girth.to_m();
+    let band = if 0.0 < missing {
+        [Measure::UpperArmGirth.band_cm()[0] * CM, arm - missing]
+    } else {
+        [arm - missing, Measure::UpperArmGirth.band_cm()[1] * CM]
+    };
+    Err(unfit(Measure::UpperArmGirth, measures, band, NO_REMEDY))
+}
+
+/// The highest cap whose width is at least `wanted`, where a higher one is narrower.
+fn height_for([mut low, mut high]: [f64; 2], wanted: f64, width: impl Fn(f64) -> f64) -> f64 {
+    const HALVINGS: u32 = 60;
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        if is_wide(middle) {
+        if wanted <= width(middle) {
             low = middle;
         } else {
             high = middle;
         }
     }
-    Some((low, widths(low)?))
+    low
 }
 
 /// Width of one half of the cap (0 the back, 1 the front) whose curve has this length; `None` where

@@ -121,7 +121,7 @@ impl Yoked {
                 Finish::Seam,
                 super::fitted::BOUND,
             ),
-            center_edge(center.0, half.center, middle, center.1),
+            center_edge(center.0, vec![line(half.center, middle)], center.1),
         ];
         let over = self.notch() - length(&self.lower);
         let marks = (0.0 < over).then(|| mark(ARMHOLE, over));

@@ -47,6 +47,7 @@ const fn spec<'a>(template: &'static Template, options: &'a Options) -> GarmentS
             leaf: [0; 3],
             shadow: [0; 3],
         },
+        alterations: lole_pattern::Alterations::NONE,
         given: None,
     }
 }

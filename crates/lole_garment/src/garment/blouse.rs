@@ -14,11 +14,12 @@ use lole_pattern::pattern::{
 use lole_pattern::piece::{CutCount, Finish, Piece};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
-use crate::drafting::block::{Block, Fit, Half};
+use crate::drafting::altered::altered;
+use crate::drafting::block::{Block, Fit};
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::fitted::{
     FITTED_SEAM, SideLine, binding, binding_seams, binding_step, center_edge, closing_step,
-    cutting_step, dart_step, hem_step, place, shown, upper_edges,
+    cutting_step, dart_step, hem_step, place, rising_hem, shown, upper_edges,
 };
 use crate::drafting::making::{
     both_sides, cm, eased, elastic, notion, pattern, plain, say, sewn, side, step,
@@ -139,6 +140,10 @@ pub(crate) const SLEEVE_CASING: f64 = 2.0 * CM;
 const OVERLAP: f64 = 2.0 * CM;
 
 fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    altered(fitting, |fitting| drafted(fitting, options))
+}
+
+fn drafted(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
     let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[
@@ -153,6 +158,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             neck_widened: chosen.m("neck_wider_cm"),
             neck_dropped: [chosen.m(NECK_LOWER_KEY), 0.25 * chosen.m(NECK_LOWER_KEY)],
             armhole_dropped: 0.0,
+            alterations: fitting.alterations,
         },
     )?;
     let ratio = chosen.number("puff_ratio");
@@ -168,26 +174,28 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             hem_width: None,
             hem: SLEEVE_CASING,
             cap_height: CAP_HEIGHT,
+            widened: fitting.widened_sleeve(),
         },
     )?;
     let body = Body::new(measures, &block, &chosen);
     let front_side = SideLine::with_dart(&body.side(flat_front(&block)), &block, DART_BELOW);
     let back_side = SideLine::plain(body.side(block.back.underarm.x));
     let pieces = vec![
-        body.piece(&block.front, &front_side, Part::Front),
-        body.piece(&block.back, &back_side, Part::Back),
+        body.piece(&block, &front_side, Part::Front),
+        body.piece(&block, &back_side, Part::Back),
         sleeve.piece.clone(),
         binding(block.neckline_length(), Finish::Hem),
     ];
     let half_bust = block.back.underarm.x + flat_front(&block);
-    let finished = finished(measures, (half_bust, &body), (&sleeve, &pieces));
-    let pattern = finish(pieces, (&front_side, &sleeve), (measures, &body));
+    let arm = fitting.arm() * ARM_ELASTIC;
+    let finished = finished((measures, arm), (half_bust, &body), (&sleeve, &pieces));
+    let pattern = finish(pieces, (&front_side, &sleeve), (arm, &body));
     Ok(pattern.measuring(finished))
 }
 
 /// What a tape says of the blouse.
 fn finished(
-    measures: &Measures,
+    (measures, arm): (&Measures, f64),
     (half_bust, body): (f64, &Body),
     (sleeve, pieces): (&Sleeve, &[Piece]),
 ) -> Vec<FinishedMeasure> {
@@ -211,7 +219,7 @@ fn finished(
         sewn(
             words("袖口（ゴム）", "edge of the sleeve, elastic"),
             Some(measures.upper_arm_girth),
-            measures.upper_arm_girth.to_m() * ARM_ELASTIC,
+            arm,
         ),
         sewn(
             words("袖下の長さ", "underarm seam of the sleeve"),
@@ -246,6 +254,7 @@ struct Body {
     waist_in: f64,
     /// From the bust's width to the hem's.
     hem_out: f64,
+    hip_y: f64,
     hem_y: f64,
     hem: f64,
 }
@@ -266,6 +275,7 @@ impl Body {
             bust_line: block.bust_line,
             waist_in,
             hem_out: hip_out.max(-waist_in) * share,
+            hip_y,
             hem_y,
             hem: chosen.m("hem_allowance_cm"),
         }
@@ -287,10 +297,21 @@ impl Body {
         vec![lower, line(waist, underarm)]
     }
 
-    fn piece(&self, half: &Half, side: &SideLine, part: Part) -> Piece {
-        let center = at(0.0, self.hem_y);
+    fn piece(&self, block: &Block, side: &SideLine, part: Part) -> Piece {
+        let half = match part {
+            Part::Front => &block.front,
+            Part::Back => &block.back,
+        };
         let hem_end = side.way[0];
         let hem_end = kurbo::ParamCurve::start(&hem_end);
+        let middle = match part {
+            Part::Front => vec![line(half.center, at(0.0, self.hem_y))],
+            Part::Back => {
+                block.middle_of_back(half.center, self.hip_y, self.hem_y + block.folded_out)
+            }
+        };
+        let center = middle.last().map_or(half.center, kurbo::ParamCurve::end);
+        let hem = vec![rising_hem(center, hem_end)];
         let [armhole, shoulder, neckline] = upper_edges(half);
         let (label, finish, center_id) = match part {
             Part::Front => (
@@ -305,12 +326,12 @@ impl Body {
             ),
         };
         let edges = vec![
-            edge("hem", vec![line(center, hem_end)], Finish::Hem, self.hem),
+            edge("hem", hem, Finish::Hem, self.hem),
             edge("side", side.way.clone(), Finish::Seam, FITTED_SEAM),
             armhole,
             shoulder,
             neckline,
-            center_edge(center_id, half.center, center, finish),
+            center_edge(center_id, middle, finish),
         ];
         let mut marks = side.marks();
         let at = armhole_notch(length(&half.armhole), None);
@@ -331,7 +352,7 @@ const BINDING: usize = 3;
 fn finish(
     pieces: Vec<Piece>,
     (front_side, sleeve): (&SideLine, &Sleeve),
-    (measures, body): (&Measures, &Body),
+    (arm, body): (f64, &Body),
 ) -> Pattern {
     let edge = |piece: usize, id: &str| place(&pieces[piece], id);
     let mut seams: Vec<Seam> = Vec::new();
@@ -360,7 +381,6 @@ fn finish(
     seams.extend(binding_seams(&pieces, BINDING, necklines));
 
     let zip = pieces[BACK].edges[center].length();
-    let arm = measures.upper_arm_girth.to_m() * ARM_ELASTIC;
     let notions = vec![
         notion(
             NotionKind::Zip,

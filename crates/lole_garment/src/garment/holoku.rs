@@ -15,6 +15,7 @@ use lole_pattern::{DraftError, Measure, Measures, Pattern};
 use super::blouse::{
     BUST_EASE, NECK_LOWER, NECK_LOWER_KEY, NECK_WIDER, PUFF, flat_front, zip_step,
 };
+use crate::drafting::altered::altered;
 use crate::drafting::block::{Block, Fit, NO_REMEDY, unfit};
 use crate::drafting::chosen::{Chosen, by_measure, choice, number};
 use crate::drafting::fitted::{
@@ -141,6 +142,10 @@ const TRAIN: f64 = 0.38;
 const ZIP_OVER_HIPS: f64 = 4.0 * CM;
 
 fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    altered(fitting, |fitting| drafted(fitting, options))
+}
+
+fn drafted(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
     let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[
@@ -157,10 +162,11 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             neck_widened: chosen.m("neck_wider_cm"),
             neck_dropped: [lower, 0.25 * lower],
             armhole_dropped: ARMHOLE_DROPPED,
+            alterations: fitting.alterations,
         },
     )?;
     let yokes = Yoked::both(&block, &chosen)?;
-    let sleeve = sleeve(measures, (&block, &yokes), &chosen)?;
+    let sleeve = sleeve(fitting, (&block, &yokes), &chosen)?;
     let body = Body::new(measures, &block, &chosen)?;
     let front_side = SideLine::with_dart(&body.side(body.front), &block, DART_BELOW);
     let back_side = SideLine::plain(body.side(body.back));
@@ -176,7 +182,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     );
     let pieces = vec![
         body.front_piece(&yokes[0], &front_side),
-        body.back_piece(&yokes[1], &back_side),
+        body.back_piece(&block, &yokes[1], &back_side),
         yokes[0].piece(
             &block.front,
             front_label,
@@ -244,10 +250,11 @@ fn finished(
 }
 
 fn sleeve(
-    measures: &Measures,
+    fitting: &Fitting<'_>,
     (block, yokes): (&Block, &[Yoked; 2]),
     chosen: &Chosen<'_>,
 ) -> Result<Sleeve, DraftError> {
+    let measures = fitting.measures;
     let is_puff = chosen.choice("sleeve") == "puff";
     let raised = if is_puff { 2.0 * CM } else { 0.0 };
     let mut sleeve = Sleeve::new(
@@ -265,6 +272,7 @@ fn sleeve(
             hem_width: Some(measures.wrist_girth.to_m() + WRIST_EASE),
             hem: 3.0 * CM,
             cap_height: CAP_HEIGHT,
+            widened: fitting.widened_sleeve(),
         },
     )?;
     sleeve.piece.name = words("長袖", "long sleeve");
@@ -391,13 +399,13 @@ impl Body {
         label.piece(edges, DOWN, marks)
     }
 
-    fn back_piece(&self, yoked: &Yoked, side: &SideLine) -> Piece {
+    fn back_piece(&self, block: &Block, yoked: &Yoked, side: &SideLine) -> Piece {
         let label = Label::main("back", words("後ろ身頃", "back"), CutCount::Pairs(1));
         let top = at(0.0, yoked.level);
         let hip = at(0.0, self.hip_y);
         // The middle of the back leans out into the train.
         let lean = 0.25 * self.train;
-        let foot = at(-lean, self.hem_y - self.train);
+        let foot = at(-lean, self.hem_y - self.train + block.folded_out);
         let hem = self.hem_edge(foot, side, self.train);
         let down = (foot - hip) / (foot - hip).hypot();
         let bend = curve(
@@ -406,7 +414,8 @@ impl Body {
             down * (0.3 * (foot - hip).hypot()),
             foot,
         );
-        let way = vec![line(top, hip), bend];
+        let mut way = block.middle_of_back(top, self.hip_y, self.hip_y);
+        way.push(bend);
         let center = edge("center_back", way, Finish::Seam, FITTED_SEAM);
         let edges = self.edges(hem, (side, yoked), center);
         let mut marks = side.marks();

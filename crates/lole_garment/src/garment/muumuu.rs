@@ -16,6 +16,7 @@ use super::blouse::{
     set_in, sleeve_elastic, sleeve_steps,
 };
 use super::pau_skirt::HEM_HEIGHT;
+use crate::drafting::altered::altered;
 use crate::drafting::block::{Block, Fit};
 use crate::drafting::chosen::{Chosen, choice, number};
 use crate::drafting::fitted::{
@@ -132,6 +133,10 @@ const RUFFLE: usize = 6;
 const ARMHOLE: usize = 2;
 
 fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    altered(fitting, |fitting| drafted(fitting, options))
+}
+
+fn drafted(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
     let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[Measure::HeadGirth, Measure::UpperArmLength])?;
@@ -143,10 +148,11 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             neck_widened: chosen.m("neck_wider_cm"),
             neck_dropped: [lower, 0.25 * lower],
             armhole_dropped: 1.0 * CM,
+            alterations: fitting.alterations,
         },
     )?;
     let yokes = Yoked::both(&block, &chosen)?;
-    let sleeve = sleeve(measures, (&block, &yokes), &chosen)?;
+    let sleeve = sleeve(fitting, (&block, &yokes), &chosen)?;
     let skirt = Skirt::new(measures, &block, &chosen)?;
     let neckline = block.neckline_length();
     let slit = 0.5 * (measures.head_girth.to_m() + OVER_HEAD - neckline).max(0.0);
@@ -196,15 +202,18 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     if 0.0 < skirt.ruffle {
         pieces.push(skirt.ruffle(&pieces));
     }
-    Ok(finish(pieces, (measures, &skirt), (&sleeve, &yokes, slit)))
+    let arm = fitting.arm() * ARM_ELASTIC;
+    let worn = (measures, &skirt, arm);
+    Ok(finish(pieces, worn, (&sleeve, &yokes, slit)))
 }
 
 fn sleeve(
-    measures: &Measures,
+    fitting: &Fitting<'_>,
     (block, yokes): (&Block, &[Yoked; 2]),
     chosen: &Chosen<'_>,
 ) -> Result<Sleeve, DraftError> {
     let is_puff = chosen.choice("sleeve") == "puff";
+    let measures = fitting.measures;
     let long = SLEEVE_SHARE * measures.upper_arm_length.to_m();
     Sleeve::new(
         measures,
@@ -221,6 +230,7 @@ fn sleeve(
             hem_width: None,
             hem: SLEEVE_CASING,
             cap_height: if is_puff { 0.75 } else { 0.66 },
+            widened: fitting.widened_sleeve(),
         },
     )
 }
@@ -387,7 +397,7 @@ impl Skirt {
 
 fn finish(
     pieces: Vec<Piece>,
-    (measures, skirt): (&Measures, &Skirt),
+    (measures, skirt, arm): (&Measures, &Skirt, f64),
     (sleeve, yokes, slit): (&Sleeve, &[Yoked; 2], f64),
 ) -> Pattern {
     let of = |piece: usize, id: &str| place(&pieces[piece], id);
@@ -431,7 +441,6 @@ fn finish(
     }
     // The last four are those onto the hem: the first of the front, and the first of the back.
     let onto_hem = vec![seams.len().saturating_sub(4), seams.len().saturating_sub(2)];
-    let arm = measures.upper_arm_girth.to_m() * ARM_ELASTIC;
     let notions = notions(arm, slit);
     let mut steps = vec![cutting_step(&pieces)];
     steps.push(yoke_step(&pieces, of_yokes));

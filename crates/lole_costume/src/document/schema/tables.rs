@@ -9,6 +9,7 @@ use lole_cloth::method::explicit::ContactEvaluation;
 use lole_cloth::wind::WindLaw;
 use lole_language::words;
 
+use super::alterations::ALTERATIONS;
 use super::cost::COST;
 use super::face::FACE;
 use super::motion::MOTION;
@@ -106,7 +107,17 @@ const CAPSULE_SHAPES: &[(&str, CapsuleShape)] = &[
 
 /// The tables in the order they are written.
 pub const TABLES: &[Table] = &[
-    DANCER, FACE, SKIRT, FABRIC, PRINT, COST, MOTION, WIND, STAGE, METHOD,
+    DANCER,
+    ALTERATIONS,
+    FACE,
+    SKIRT,
+    FABRIC,
+    PRINT,
+    COST,
+    MOTION,
+    WIND,
+    STAGE,
+    METHOD,
 ];
 
 const DANCER: Table = Table {
