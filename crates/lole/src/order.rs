@@ -333,7 +333,7 @@ pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), 
     } else {
         Some(portrait::worn(&source.design, &stop)?)
     };
-    let measures = tailoring::measures_used(&source.design, &dancer);
+    let drafted_by = tailoring::drafted_by(&source.design, &dancer);
     let prints = source.design.cut_print_images(PRINT_SIDE);
     let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
     let prints: Vec<_> = prints.into_iter().map(Arc::new).collect();
@@ -343,7 +343,7 @@ pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), 
         group: &[],
         prints: &prints,
         bill: &bill,
-        measures: &measures,
+        drafted_by: &drafted_by,
         worn,
         hem_height_cm: source.design.costume_hem_cm(),
     };

@@ -24,6 +24,7 @@ mod workbook;
 use lole_body::{Figure, Measure, Measurements};
 use lole_garment::template::OptionKind;
 use lole_language::{Bilingual, Sentence, Words};
+use lole_pattern::{Alteration, Alterations};
 
 use crate::document::Design;
 use cells::{Record, Separator};
@@ -59,6 +60,8 @@ pub struct RosterDancer {
     pub figure: Option<Figure>,
     /// How old she is [years], where the list says so.
     pub age_years: Option<f64>,
+    /// How fitted garments are altered for her, as a trial has shown.
+    pub alterations: Alterations,
     /// What the tape said [cm], in the order of [`Measure::ALL`]. The hip is among them.
     pub tape_cm: Vec<(Measure, f64)>,
 }
@@ -230,6 +233,8 @@ impl RosterDancer {
         if self.age_years.is_some() {
             worn.dancer.age_years = self.age_years;
         }
+        // What a trial has shown of one body is nothing to another.
+        worn.alterations = self.alterations;
         if worn.face.is_unchosen() {
             worn.face.seed = seed_of(&self.name);
         }
@@ -528,6 +533,7 @@ fn dancer(
         name: String::new(),
         figure: None,
         age_years: None,
+        alterations: Alterations::NONE,
         tape_cm: Vec::new(),
     };
     let mut problems = Vec::new();
@@ -541,6 +547,9 @@ fn dancer(
                 dancer.age_years = columns::age(cell).unwrap_or_default();
                 Ok(())
             }
+            Meaning::Alteration(one) => alteration(cell, one, column.unit, separator).map(|cm| {
+                dancer.alterations = dancer.alterations.with_cm(one, cm);
+            }),
             Meaning::Measure(measure) => length(cell, measure, column.unit, separator)
                 .map(|cm| dancer.tape_cm.extend(cm.map(|cm| (measure, cm)))),
         };
@@ -668,6 +677,46 @@ fn length(
             ),
         ))
     }
+}
+
+/// How much of an alteration a cell says [cm], which may be less than nothing; nothing of an empty one.
+fn alteration(
+    cell: &str,
+    alteration: Alteration,
+    unit: Option<Unit>,
+    separator: Separator,
+) -> Result<f64, Sentence> {
+    let narrowed = lengths::narrow(cell);
+    let written = narrowed.trim();
+    let below = written.strip_prefix(['-', '−', '▲', '△']);
+    let below = below.filter(|rest| !rest.trim().is_empty());
+    let sign = if below.is_some() { -1.0 } else { 1.0 };
+    let cm = match lengths::read(below.unwrap_or(written), separator) {
+        Reading::Empty => 0.0,
+        Reading::Length(cm) => sign * cm,
+        Reading::Plain(number) => sign * unit.unwrap_or(Unit::Centimeter).to_cm(number),
+        Reading::NoNumber => {
+            return Err(Sentence::new(
+                format!("「{cell}」は長さではありません。1.5 や -1 のように書いてください"),
+                format!("\"{cell}\" is no length; write it like 1.5 or -1"),
+            ));
+        }
+    };
+    let [least, most] = alteration.band_cm();
+    if (least..=most).contains(&cm) {
+        return Ok(cm);
+    }
+    let name = alteration.name();
+    Err(Sentence::new(
+        format!(
+            "{}が {cm:.1} cm です。{least}～{most} cm にしてください",
+            name.japanese
+        ),
+        format!(
+            "{} is altered by {cm:.1} cm; give a number from {least} to {most} cm",
+            name.english
+        ),
+    ))
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! Everything that a design has to be cut and sewn from: each garment drafted to the dancer, with the
 //! cloth that it is cut from.
 
+mod trial;
+
 use lole_body::Dancer;
 use lole_garment::{Fitting, Template, measures};
 use lole_geom::Length;
@@ -8,12 +10,14 @@ use lole_language::{Bilingual, Words, words};
 use lole_pattern::joining::fit_to_cloth;
 use lole_pattern::marker::{Border, Lay, Nap, TableCloth, lay_out};
 use lole_pattern::piece::ClothRole;
-use lole_pattern::{DraftError, Marker, Measure, Measures, Pattern};
+use lole_pattern::{DraftError, Marker, Measures, Pattern};
 use lole_print::{PrintBorder, PrintMotif};
 
 use crate::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign,
 };
+
+pub use trial::{DraftedBy, SHOWN_CM, UsedAlteration, UsedMeasure, drafted_by};
 
 /// Name in files of the design's skirt.
 pub const SKIRT: &str = "pau_skirt";
@@ -195,61 +199,6 @@ pub fn drafts_of(
     drafts
 }
 
-/// What of her measures the garments of a design depend on, in the order of
-/// [`Measure::ALL`]: those that draft another pattern where they are a little
-/// larger or smaller.
-#[must_use]
-pub fn measures_used(design: &Design, dancer: &Dancer) -> Vec<UsedMeasure> {
-    let own = measures(dancer);
-    let garments: Vec<_> = (design.cut())
-        .map(|place| match place {
-            Some(index) => {
-                let garment = design.garments[index].clone();
-                (Some(garment.layer), garment)
-            }
-            None => (None, design.skirt.garment(&design.fabric, &design.print)),
-        })
-        .collect();
-    let drafts = |measures: &Measures| -> Vec<Option<Pattern>> {
-        (garments.iter())
-            .map(|(layer, garment)| {
-                // The dancer herself would be measured again, whatever the measures say.
-                let fitting = Fitting {
-                    dancer: None,
-                    ..fitting(design, (dancer, measures), (*layer, garment))
-                };
-                garment.pattern(&fitting).ok()
-            })
-            .collect()
-    };
-    let drafted = drafts(&own);
-    let is_used = |measure: &Measure| {
-        [1.0 - NUDGE, 1.0 + NUDGE].into_iter().any(|ratio| {
-            let mut nudged = own.clone();
-            *measure.of_mut(&mut nudged) = measure.of(&own) * ratio;
-            drafts(&nudged) != drafted
-        })
-    };
-    let used = Measure::ALL.iter().copied().filter(is_used);
-    used.map(|measure| UsedMeasure {
-        measure,
-        length: measure.of(&own),
-    })
-    .collect()
-}
-
-/// Measures are made so much larger and smaller to see what depends on them.
-const NUDGE: f64 = 0.01;
-
-/// A measure that a costume is drafted by.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct UsedMeasure {
-    /// Which.
-    pub measure: Measure,
-    /// Its value.
-    pub length: Length,
-}
-
 /// For whom a garment of a design is drafted, of what cloth and with what: in a layer, or as the skirt.
 #[must_use]
 pub fn fitting<'a>(
@@ -367,6 +316,7 @@ fn skirt_edge(skirt: &SkirtDesign, dancer: &Dancer) -> Length {
 #[cfg(test)]
 mod tests {
     use lole_body::Measurements;
+    use lole_pattern::{Alteration, Measure};
 
     use super::*;
 
@@ -406,7 +356,7 @@ mod tests {
             design.garments = GarmentDesign::of_kind(kind).into_iter().collect();
             let measurements = Measurements::from_tape(&design.tape()).unwrap();
             let dancer = Dancer::with_appearance(&measurements, &design.appearance()).unwrap();
-            let used = measures_used(&design, &dancer).into_iter();
+            let used = drafted_by(&design, &dancer).measures.into_iter();
             used.map(|used| used.measure).collect::<Vec<Measure>>()
         };
         assert_eq!(used("lei-poo"), [Measure::HeadGirth]);
@@ -420,6 +370,35 @@ mod tests {
             assert!(blouse.contains(&measure), "{measure:?} not in {blouse:?}");
         }
         assert!(!blouse.contains(&Measure::CrotchLength), "{blouse:?}");
+    }
+
+    /// A fitted garment is altered in six ways, a yoke that hangs on a fold in five, a skirt in none; each is shown
+    /// on a piece that it changes.
+    #[test]
+    fn fitted_garments_are_altered_and_a_skirt_is_not() {
+        let used = |kind: &str| {
+            let mut design = Design::default();
+            design.skirt.is_worn = kind == "skirt";
+            design.garments = GarmentDesign::of_kind(kind).into_iter().collect();
+            design.alterations = design.alterations.with_cm(Alteration::BroadBack, 1.5);
+            let measurements = Measurements::from_tape(&design.tape()).unwrap();
+            let dancer = Dancer::with_appearance(&measurements, &design.appearance()).unwrap();
+            drafted_by(&design, &dancer).alterations
+        };
+        for kind in ["blouse", "holoku", "muumuu"] {
+            let used = used(kind);
+            let all = Alteration::ALL.into_iter();
+            let wanted = all.filter(|one| kind != "muumuu" || *one != Alteration::SwayBack);
+            let found = used.iter().map(|used| used.alteration);
+            assert!(wanted.eq(found), "{kind}");
+            for one in &used {
+                let is_broad = one.alteration == Alteration::BroadBack;
+                assert_eq!(one.cm, if is_broad { 1.5 } else { 0.0 });
+                assert_ne!(one.shown[0].edges, one.shown[1].edges);
+                assert_ne!(one.shown[0].id, "binding", "{kind} {:?}", one.alteration);
+            }
+        }
+        assert!(used("skirt").is_empty() && used("malo").is_empty());
     }
 
     /// The worked example of the makers: hip 91.4 cm, four times its cloth.

@@ -8,12 +8,13 @@ mod keep;
 mod sizes;
 mod style;
 mod techniques;
+mod trial;
 
 use std::sync::Arc;
 
 use lole_costume::cost::Bill;
 use lole_costume::order::{CutElastic, DancerPlan, PlannedGarment};
-use lole_costume::tailoring::{ClothPlan, UsedMeasure, role_name};
+use lole_costume::tailoring::{ClothPlan, DraftedBy, role_name};
 use lole_garment::Shelf;
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence, Words, capitalized};
@@ -42,8 +43,8 @@ pub struct Booklet<'a> {
     pub prints: &'a [Arc<PrintImage>],
     /// What it costs.
     pub bill: &'a Bill,
-    /// What of her measures the costume is drafted by; empty where that is not known.
-    pub measures: &'a [UsedMeasure],
+    /// What the costume is drafted by; empty where that is not known.
+    pub drafted_by: &'a DraftedBy,
     /// The costume on its dancer.
     pub worn: Option<Worn>,
     /// Height of the hem above the floor [cm]; `None` where the costume has none that was decided.
@@ -101,6 +102,7 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     for garment in &booklet.plan.garments {
         steps(&mut flow, garment, language);
     }
+    trial::draw(&mut flow, &booklet.drafted_by.alterations, language);
     techniques::draw(&mut flow, booklet.plan, language);
     care(&mut flow, booklet.plan, language);
     costs(&mut flow, booklet.bill, language);

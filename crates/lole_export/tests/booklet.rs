@@ -1,15 +1,18 @@
 //! Booklets and orders as they are printed: every letter has a glyph, nothing leaves its page, equal
 //! designs give equal bytes.
 
+use lole_body::{Dancer, Measurements};
 use lole_costume::cost;
 use lole_costume::document::{Design, GarmentDesign};
 use lole_costume::order::{self, DancerPlan, Settings};
 use lole_costume::roster;
+use lole_costume::tailoring::{self, DraftedBy};
 use lole_export::booklet::{Booklet, booklet_sheets};
 use lole_export::order::{Order, order_json, order_sheets};
 use lole_export::pdf::{Document, Item, Paper, Sheet, missing_glyphs};
 use lole_garment::template::{PAU_SKIRT, PAU_TOP};
 use lole_language::{Language, Sentence};
+use lole_pattern::Alteration;
 
 const LANGUAGES: [Language; 2] = [Language::Japanese, Language::English];
 
@@ -25,6 +28,23 @@ fn design() -> Design {
     design
 }
 
+/// A fitted top, altered.
+fn blouse() -> Design {
+    let mut design = Design::default();
+    design.skirt.is_worn = false;
+    design.garments = GarmentDesign::of_kind("blouse").into_iter().collect();
+    design.alterations = design.alterations.with_cm(Alteration::RoundBack, 1.5);
+    design
+}
+
+/// What a design's costume is drafted by.
+fn drafted_by(design: &Design) -> DraftedBy {
+    let measurements = Measurements::from_tape(&design.tape());
+    let dancer = measurements.and_then(|it| Dancer::undrawn(&it, &design.appearance()));
+    let dancer = dancer.unwrap_or_else(|error| panic!("{error}"));
+    tailoring::drafted_by(design, &dancer)
+}
+
 fn plan(design: &Design) -> DancerPlan {
     order::plan_design("ʻIolana 高橋", design).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -37,7 +57,7 @@ fn pages(design: &Design, plan: &DancerPlan, language: Language) -> Vec<Sheet> {
         group: &[],
         prints: &[],
         bill: &bill,
-        measures: &[],
+        drafted_by: &drafted_by(design),
         worn: None,
         hem_height_cm: design.costume_hem_cm(),
     };
@@ -120,6 +140,26 @@ fn everything_that_is_printed_has_glyphs_and_stays_on_its_page() {
     for language in LANGUAGES {
         assert!(200 < check(&pages(&design, &plan, language)));
         assert!(50 < check(&group_pages(language)));
+    }
+}
+
+/// A booklet of something fitted says how it is tried on and altered, and by how much it is altered now; one of a
+/// skirt does not.
+#[test]
+fn a_trial_is_described_where_something_is_fitted() {
+    for language in LANGUAGES {
+        let title = language.pick("仮縫いと補正", "A trial in basted cloth, and alterations");
+        let has = |sheets: &[Sheet], wanted: &str| {
+            let mut texts = sheets.iter().flat_map(Sheet::texts);
+            texts.any(|text| text.contains(wanted))
+        };
+        let fitted = pages(&blouse(), &plan(&blouse()), language);
+        check(&fitted);
+        assert!(has(&fitted, title) && has(&fitted, "+1.5 cm"));
+        for alteration in Alteration::ALL {
+            assert!(has(&fitted, alteration.name().text(language)));
+        }
+        assert!(!has(&pages(&design(), &plan(&design()), language), title));
     }
 }
 

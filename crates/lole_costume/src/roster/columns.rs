@@ -2,6 +2,7 @@
 
 use lole_body::{Figure, Measure};
 use lole_language::{Sentence, Words, words};
+use lole_pattern::Alteration;
 
 use super::RosterError;
 use super::cells::Record;
@@ -27,6 +28,8 @@ pub(super) enum Meaning {
     Figure,
     Age,
     Measure(Measure),
+    /// How fitted garments are altered for her.
+    Alteration(Alteration),
 }
 
 impl Meaning {
@@ -36,6 +39,7 @@ impl Meaning {
             Self::Figure => words("体型", "figure"),
             Self::Age => words("年齢", "age"),
             Self::Measure(measure) => measure.words(),
+            Self::Alteration(alteration) => alteration.name(),
         }
     }
 }
@@ -168,6 +172,36 @@ const HEADS: &[(Meaning, &[&str])] = &[
     (
         Meaning::Measure(Measure::UpperArmLength),
         &["上腕の長さ", "上腕長", "upperarmlength", "upperarm"],
+    ),
+    (
+        Meaning::Alteration(Alteration::FullBust),
+        &["胸の補正", "胸補正", "fullbust"],
+    ),
+    (
+        Meaning::Alteration(Alteration::RoundBack),
+        &["猫背の補正", "猫背補正", "猫背", "roundback"],
+    ),
+    (
+        Meaning::Alteration(Alteration::SwayBack),
+        &["反り腰の補正", "反り腰補正", "反り腰", "swayback"],
+    ),
+    (
+        Meaning::Alteration(Alteration::SlopingShoulders),
+        &[
+            "なで肩の補正",
+            "なで肩補正",
+            "なで肩",
+            "slopingshoulders",
+            "slopingshoulder",
+        ],
+    ),
+    (
+        Meaning::Alteration(Alteration::BroadBack),
+        &["背幅の補正", "背幅補正", "broadback"],
+    ),
+    (
+        Meaning::Alteration(Alteration::FullArm),
+        &["腕の補正", "腕補正", "fullarm"],
     ),
 ];
 

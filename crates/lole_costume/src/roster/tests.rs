@@ -332,6 +332,38 @@ fn everybody_has_her_own_face_and_years() {
     assert!(alike.into_iter().all(|face| face == design.face));
 }
 
+/// What a trial has shown of one body is hers alone.
+#[test]
+fn alterations_are_read_by_dancer_with_their_signs() {
+    let listed = "name,hip,猫背,なで肩の補正(cm),Full bust [in],sway_back_cm\n\
+                  a,91,1.5,－１,1,\nb,91,,▲0.5,-0.5,2 cm\nc,91,-,,,\n";
+    let roster = read_text(listed);
+    assert!(
+        roster.problems.is_empty() && roster.notes.is_empty(),
+        "{:?} {:?}",
+        roster.problems,
+        roster.notes
+    );
+    let mut design = Design::default();
+    design.alterations = design.alterations.with_cm(Alteration::FullArm, 3.0);
+    let of = |index: usize| roster.dancers[index].design(&design).alterations;
+    let wanted = [
+        [2.54, 1.5, 0.0, -1.0, 0.0, 0.0],
+        [-1.27, 0.0, 2.0, -0.5, 0.0, 0.0],
+        [0.0; 6],
+    ];
+    for (index, wanted) in wanted.into_iter().enumerate() {
+        for (one, wanted) in Alteration::ALL.into_iter().zip(wanted) {
+            let found = of(index).cm(one);
+            assert!((found - wanted).abs() < 1e-9, "{index} {one:?}: {found}");
+        }
+    }
+    let told = problem("name,hip,round back\na,91,9\n");
+    assert!(told.contains("from -2 to 4 cm"), "{told}");
+    let told = problem("name,hip,round back\na,91,somewhat\n");
+    assert!(told.contains("no length"), "{told}");
+}
+
 /// An age that is none stops nobody: it is left out, and said once for all of its lines.
 #[test]
 fn an_age_that_is_none_is_left_out_and_said() {

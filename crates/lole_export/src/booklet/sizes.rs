@@ -94,7 +94,7 @@ fn measured(booklet: &Booklet<'_>) -> Vec<Row> {
         .iter()
         .map(|garment| garment.tailored.template.shelf);
     let is_clothing = shelves.any(covers);
-    let used = booklet.measures;
+    let used = &booklet.drafted_by.measures[..];
     let is_estimated = |measure: Measure| plan.estimated.contains(&measure);
     let taped = plan.tape_cm.iter().filter(|(measure, _)| {
         let is_used = used

@@ -6,7 +6,7 @@ use lole_body::{Dancer, Measurements};
 use lole_costume::cost::{self, Bill};
 use lole_costume::document::Design;
 use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
-use lole_costume::tailoring::{self, UsedMeasure};
+use lole_costume::tailoring::{self, DraftedBy};
 use lole_language::Language;
 use rayon::prelude::*;
 
@@ -156,14 +156,15 @@ fn booklet_of(parts: &OrderParts<'_>, bills: &[Bill]) -> Option<Vec<Sheet>> {
     // A picture that was not read leaves the plans without it.
     let images = design.cut_print_images(PRINT_SIDE).unwrap_or_default();
     let images: Vec<_> = images.into_iter().map(Arc::new).collect();
-    let measures = (parts.group.designs.first()).map_or_else(Vec::new, measures_of);
+    let first = parts.group.designs.first();
+    let drafted_by = first.map_or_else(DraftedBy::default, drafted_by);
     let booklet = Booklet {
         title: parts.title.clone(),
         plan: plans.first()?,
         group: plans,
         prints: &images,
         bill: bills.first()?,
-        measures: &measures,
+        drafted_by: &drafted_by,
         worn: (parts.pictures.first().cloned().flatten()).map(Worn::alone),
         hem_height_cm: design.costume_hem_cm(),
     };
@@ -171,12 +172,12 @@ fn booklet_of(parts: &OrderParts<'_>, bills: &[Bill]) -> Option<Vec<Sheet>> {
 }
 
 /// What a design's costume is drafted by; nothing where its tape makes no body.
-fn measures_of(design: &Design) -> Vec<UsedMeasure> {
+fn drafted_by(design: &Design) -> DraftedBy {
     let tape = Measurements::from_tape(&design.tape());
     let dancer = tape.and_then(|tape| Dancer::undrawn(&tape, &design.appearance()));
     dancer.map_or_else(
-        |_| Vec::new(),
-        |dancer| tailoring::measures_used(design, &dancer),
+        |_| DraftedBy::default(),
+        |dancer| tailoring::drafted_by(design, &dancer),
     )
 }
 

@@ -29,7 +29,7 @@ pub(super) fn booklet(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     let bill = cost::bill(design, &plan);
     line.goes_on(SHARES[0])?;
     let worn = worn(wish, line)?;
-    let measures = tailoring::measures_used(design, &dancer);
+    let drafted_by = tailoring::drafted_by(design, &dancer);
     line.goes_on(SHARES[1])?;
     let prints = prints(wish)?;
     let booklet = Booklet {
@@ -38,7 +38,7 @@ pub(super) fn booklet(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
         group: &[],
         prints: &prints,
         bill: &bill,
-        measures: &measures,
+        drafted_by: &drafted_by,
         worn: Some(worn),
         hem_height_cm: design.costume_hem_cm(),
     };
