@@ -269,6 +269,18 @@ impl Template {
         matches!(self.worn, Wear::Sewn(_))
     }
 
+    /// Whether it is drafted from the bodice block of its dancer, and altered as that is.
+    #[must_use]
+    pub const fn is_fitted(&self) -> bool {
+        matches!(
+            self.worn,
+            Wear::Sewn(SewnRow {
+                way: Way::Fitted(_),
+                ..
+            })
+        )
+    }
+
     /// Whether it is worn beside the cloth, or held.
     #[must_use]
     pub const fn is_adornment(&self) -> bool {

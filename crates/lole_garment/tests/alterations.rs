@@ -100,7 +100,8 @@ fn every_alteration_changes_every_fitted_garment_but_a_fold_has_no_sway_back() {
 #[test]
 fn garments_that_are_not_fitted_stay_as_they_are() {
     for template in lole_garment::template::TEMPLATES {
-        if FITTED.contains(&template.id) {
+        assert_eq!(template.is_fitted(), FITTED.contains(&template.id));
+        if template.is_fitted() {
             continue;
         }
         let (_, row) = &BODIES[2];

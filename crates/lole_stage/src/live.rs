@@ -15,6 +15,7 @@ use lole_costume::document::{
 };
 use lole_geom::Capsule;
 use lole_geom::narrow;
+use lole_pattern::Alterations;
 
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
 use crate::skin_check::{self, CheckedSurface};
@@ -650,7 +651,13 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
             leotard_color: None,
             ..design.dancer.clone()
         };
-        (dancer, design.skirt.clone(), garments)
+        let is_altered = garments.iter().any(|it| it.template.is_fitted());
+        let alterations = if is_altered {
+            design.alterations
+        } else {
+            Alterations::NONE
+        };
+        (dancer, alterations, design.skirt.clone(), garments)
     };
     cut(old) != cut(new)
 }

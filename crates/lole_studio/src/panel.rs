@@ -1,5 +1,6 @@
 //! The panels, a file each; these tables say where they stand.
 
+mod alterations;
 mod body;
 #[cfg(test)]
 mod cad_tests;
@@ -116,6 +117,11 @@ pub const DRAWERS: &[Drawer] = &[
         panels: &[
             panel(text::SKIRT, skirt::show),
             panel(text::GARMENTS, garments::show),
+            Panel {
+                title: text::ALTERATIONS,
+                is_shown: alterations::is_fitted,
+                show: alterations::show,
+            },
         ],
     },
     Drawer {

@@ -75,6 +75,12 @@ pub(crate) const TITLE_HINT: Words = words("なくてもかまいません", "ma
 pub(crate) const MOTION_BLUR: Words = words("動きのぼけ", "Motion blur of the film");
 pub(crate) const MOOD_STAYS: Words = words("照明はそのまま", "lamps as before");
 pub(crate) const MOOD: Words = words("照明の気分", "Mood of the lamps");
+pub(crate) const ALTERATIONS: Words = words("仮縫いのあとの補正", "Alterations after a trial");
+pub(crate) const WHY_ALTER: Words = words(
+    "ブラウス・ムウムウ・ホロクーの型紙を引き直します。見えたしわの所に、つまんだ（足した）長さを入れてください",
+    "Blouse, muʻumuʻu and holokū are drafted anew. Where you see such creases, give the length that was pinned out or filled in",
+);
+pub(crate) const NO_ALTERATIONS: Words = words("補正をやめる", "Without alterations");
 pub(crate) const HEAD: Words = words("顔と髪", "Face and hair");
 pub(crate) const AGE: Words = words("年齢", "Age");
 pub(crate) const NO_AGE: Words = words("年齢を書かない", "Leave the age out");

@@ -31,8 +31,8 @@ const STEPS: [Words; 4] = [
         "Look from the front, from the side and from behind. Raise the arms, reach forward, turn the hips. Creases point to where cloth is missing and lie where there is too much. Compare with the drawings below; pin out what is too much, or cut open and fill in what is missing, and measure it.",
     ),
     words(
-        "測った数を下に書き、デザインの「補正」に入れて型紙を引き直します。縫い合わせる所はすべて、いっしょに直ります。",
-        "Write the numbers below and give them to the design as its alterations: the patterns are drafted anew, and every seam that is sewn together changes with them.",
+        "測った数を下に書き、デザインの「補正」か、名簿の同じ名前の列に入れて、型紙を引き直します。縫い合わせる所はすべて、いっしょに直ります。",
+        "Write the numbers below and give them to the design as its alterations, or to the list in columns of these names: the patterns are drafted anew, and every seam that is sewn together changes with them.",
     ),
 ];
 
@@ -54,8 +54,8 @@ pub(super) fn draw(flow: &mut Flow, alterations: &[UsedAlteration], language: La
     }
     flow.paragraph(
         language.pick(
-            "絵は、いまの型紙（黒）と、2 cm 補正した型紙（赤い点線）です。",
-            "The drawings show the pattern as it is (black) and altered by 2 cm (red, dashed).",
+            "絵は、補正していない型紙（黒）と、2 cm 補正した型紙（赤い点線）です。",
+            "The drawings show the pattern without the alteration (black) and with 2 cm of it (red, dashed).",
         ),
         &TextStyle::regular(11.5),
     );

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use lole_costume::document::{MethodName, parse};
 use lole_garment::dress::Division;
 use lole_hula::DanceStep;
+use lole_pattern::Alteration;
 
 use super::*;
 
@@ -333,6 +334,21 @@ fn energy_of_motion_falls_while_the_skirt_settles() {
     let highest = energies.iter().copied().fold(0.0, f32::max);
     assert!(energies.last().is_some_and(|last| *last < 0.05 * highest));
     assert!(0.0 < show.vitals().potential_energy);
+}
+
+/// An alteration sews anew what is fitted, and nothing where nothing is.
+#[test]
+fn alterations_need_a_needle_where_something_is_fitted() {
+    let plain = Design::default();
+    let altered = |design: &Design| Design {
+        alterations: design.alterations.with_cm(Alteration::BroadBack, 1.0),
+        ..design.clone()
+    };
+    assert!(!needs_sewing(&plain, &altered(&plain)));
+    let mut fitted = plain;
+    fitted.garments = GarmentDesign::of_kind("blouse").into_iter().collect();
+    assert!(needs_sewing(&fitted, &altered(&fitted)));
+    assert!(!needs_sewing(&fitted, &fitted.clone()));
 }
 
 /// Face, hair, makeup and colors are another picture of the same body: nothing is sewn, no cloth moves, and a flower that
