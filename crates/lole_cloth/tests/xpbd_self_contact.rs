@@ -55,6 +55,28 @@ fn a_sheet_that_falls_in_a_heap_never_crosses_itself() {
     assert!(highest < 0.2, "it has come down: {highest} m");
 }
 
+/// Flat cloth has nothing to touch: it is the same with contact and without, whatever its cells are like.
+#[test]
+fn flat_cloth_does_not_push_itself_apart() {
+    for row_spacing in [0.05, 0.01, 0.007, 0.005, 0.004, 0.003, 0.002, 0.001] {
+        let mut spec = sheet_spec(16, 48, 0.01, FABRIC);
+        spec.grid.spacing[1] = row_spacing;
+        let flat: Vec<_> = flat_positions(16, 48, 0.01)
+            .iter()
+            .map(|p| Vec3::new(p.x, 0.0, p.z * row_spacing / 0.01))
+            .collect();
+        let run = |radius: Option<f32>| {
+            let mut world = with_self_contact(World::new(&spec, &flat));
+            world.config.gravity = Vec3::ZERO;
+            let contact = world.config.self_collision.take();
+            world.config.self_collision =
+                radius.and_then(|radius| Some(SelfCollision { radius, ..contact? }));
+            world.run(20).positions()
+        };
+        assert_eq!(run(Some(0.02)), run(None), "rows {row_spacing} m apart");
+    }
+}
+
 /// A strip folded into two leaves 2 cm apart, whose upper leaf is pushed through the lower one
 /// around its middle.
 fn pushed_through() -> World {

@@ -24,7 +24,8 @@ use crate::{Grid, Topology};
 /// gains on another in a step is far less than its speed.
 const MARGIN: f32 = 0.6;
 
-/// Columns and rows within which particles are held apart by their springs alone.
+/// Columns and rows within which particles are held apart by their springs alone; of fine rows as many as flat
+/// cloth has within reach: it would push itself apart.
 const NEIGHBOR_COLUMNS: f32 = 1.0;
 const NEIGHBOR_ROWS: f32 = 2.0;
 
@@ -208,6 +209,7 @@ impl ClothContacts {
                     Topology::Sheet => f32::INFINITY,
                     Topology::Tube => shape.grid.column_count as f32,
                 },
+                rows_beside: (reach / shape.grid.spacing[1]).floor().max(NEIGHBOR_ROWS),
                 strands: &self.strands,
                 places: &self.places,
                 positions: &self.positions,
@@ -384,6 +386,8 @@ struct PairFinder<'a> {
     cells: &'a CellGrid,
     /// Columns around a tube; infinite of a sheet.
     columns_around: f32,
+    /// Rows within which particles of columns beside one another are neighbors.
+    rows_beside: f32,
     strands: &'a [Strand],
     /// Column and row of every entry.
     places: &'a [Vec<f32>; 2],
@@ -469,7 +473,7 @@ impl PairFinder<'_> {
         let across = apart(columns);
         let around = f32x16::splat(simd, self.columns_around) - across;
         let is_beside = smaller(across, around).simd_le(f32x16::splat(simd, NEIGHBOR_COLUMNS));
-        let is_along = apart(rows).simd_le(f32x16::splat(simd, NEIGHBOR_ROWS));
+        let is_along = apart(rows).simd_le(f32x16::splat(simd, self.rows_beside));
         is_beside.to_bitmask() & is_along.to_bitmask()
     }
 
