@@ -368,10 +368,12 @@ pub(crate) struct PatternArgs {
     #[arg(long, value_enum, default_value_t = PaperSize::A4)]
     pub(crate) paper: PaperSize,
     /// Write each garment on one page too, at full size: a0, roll (91 cm wide) or projector; several with commas.
+    /// Cutting lines, sewing lines, marks and names are layers that a reader's window shows and hides.
     #[arg(long, value_enum, value_name = "PAGE", value_delimiter = ',')]
     pub(crate) whole: Vec<WholePage>,
     /// Write each garment in several sizes around one another too: jis (JIS L 4005, 5AR to 17AR), en (EN
-    /// 13402-3, bust 76 to 104), or a list of your own sizes as for an order.
+    /// 13402-3, bust 76 to 104), or a list of your own sizes as for an order. Each size is a layer that a reader's
+    /// window shows and hides.
     #[arg(long, value_name = "LIST")]
     pub(crate) sizes: Option<String>,
     /// Lay the cloth doubled, folded lengthwise, and cut pairs at once.

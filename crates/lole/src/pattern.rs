@@ -15,7 +15,7 @@ use lole_export::cutting::{
     left_behind, masses, nested_sheet, pattern_folder, short_words, sizes_name, used_words,
     whole_name,
 };
-use lole_export::pdf::{Document, Paper};
+use lole_export::pdf::Paper;
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_pattern::marker::Lay;
 use lole_print::PrintImage;
@@ -289,8 +289,7 @@ fn nested(design: &Design, sizes: &str, language: Language) -> Result<Nested, Fa
         match nested_sheet(&plans, garment, language) {
             Ok(sheet) => {
                 let title = tailored.name.text(language);
-                let document = Document::new(title, language, vec![sheet]);
-                let bytes = document.to_bytes().map_err(Failure::error)?;
+                let bytes = sheet.to_bytes(title, language).map_err(Failure::error)?;
                 files.push((sizes_name(&tailored.id), bytes));
             }
             Err(why) => apart.push(why.sentence(tailored.name)),

@@ -16,6 +16,7 @@
 //! ```
 
 mod flow;
+mod layers;
 mod paper;
 mod sheet;
 mod table;
@@ -24,6 +25,7 @@ mod wrap;
 mod write;
 
 pub use flow::{Flow, Margins};
+pub use layers::{Layer, LayeredSheet};
 pub use paper::Paper;
 pub use sheet::{Align, Color, EncodedPicture, Item, Rect, Sheet, Stroke, TextStyle};
 pub use table::{Cell, Column, PageTable};

@@ -18,7 +18,7 @@ use lole_export::cutting::CutGarment;
 use lole_export::dancer_sheet::{DancerSheet, dancer_json};
 use lole_export::dxf::pattern_dxf;
 use lole_export::order::{ORDER_JSON, OrderFolder, OrderParts, order_folder};
-use lole_export::pdf::{Align, Document, Paper, Sheet, TextStyle, printable};
+use lole_export::pdf::{Align, Document, Layer, LayeredSheet, Paper, Sheet, TextStyle, printable};
 use lole_export::report::{
     DancerMeasure, GarmentFacts, PageMedia, Remark, ReportDivergence, ReportFile, ReportPieceOver,
     RunReport, Still, report_html, report_json,
@@ -384,6 +384,18 @@ fn the_pages_of_a_group_hold_no_action_and_its_files_have_plain_names() {
         let title = dead_pdf(&document.to_bytes().unwrap());
         assert_eq!(title, printable(name));
         assert_eq!(title.chars().find(|letter| is_unseen(*letter)), None);
+        let layer = Layer {
+            name: name.to_string(),
+            items: sheet_of(name).items,
+        };
+        let layered = LayeredSheet {
+            base: sheet_of(name),
+            layers: vec![layer],
+        };
+        assert_eq!(
+            dead_pdf(&layered.to_bytes(name, Language::English).unwrap()),
+            title
+        );
     }
 }
 

@@ -6,7 +6,7 @@ use lole_pattern::piece::{Drawing, DrawnNotch, DrawnStitches, Finish, LineKind};
 use lole_pattern::polygon::Polygon;
 
 use super::label::Label;
-use crate::pdf::{Align, Color, Sheet, Stroke, TextStyle};
+use crate::pdf::{Align, Color, Layer, Sheet, Stroke, TextStyle};
 
 /// Length of a notch [mm].
 const NOTCH: f64 = 5.0;
@@ -66,6 +66,45 @@ pub(crate) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke
     sheet.path(path, None, Some(stroke.clone()));
 }
 
+/// What is drawn of pieces, by what it is for.
+pub(super) struct PieceLines {
+    /// Where they are sewn.
+    sewing: Sheet,
+    /// What is marked on the cloth, and the grain.
+    marks: Sheet,
+    /// Where they are cut, notches and folds with it.
+    cut: Sheet,
+    /// Their names.
+    words: Sheet,
+}
+
+impl PieceLines {
+    pub(super) const fn none() -> Self {
+        const EMPTY: Sheet = Sheet::new([0.0, 0.0]);
+        Self {
+            sewing: EMPTY,
+            marks: EMPTY,
+            cut: EMPTY,
+            words: EMPTY,
+        }
+    }
+
+    /// As layers of a page, the lowest first.
+    pub(super) fn into_layers(self, language: Language) -> Vec<Layer> {
+        let named = [
+            (words("縫い線", "sewing lines"), self.sewing),
+            (words("印と布目", "marks and grain"), self.marks),
+            (words("裁ち線", "cutting lines"), self.cut),
+            (words("名前", "names of the pieces"), self.words),
+        ];
+        let layers = named.map(|(name, sheet)| Layer {
+            name: name.text(language).to_owned(),
+            items: sheet.items,
+        });
+        layers.into()
+    }
+}
+
 /// A piece at full size.
 pub(super) struct FullSize<'a> {
     pub(super) drawing: &'a Drawing,
@@ -77,22 +116,22 @@ pub(super) struct FullSize<'a> {
 
 impl FullSize<'_> {
     /// Draws everything of the piece, and its words in their place.
-    pub(super) fn draw(&self, sheet: &mut Sheet, words: &[String], label: &Label) {
+    pub(super) fn draw(&self, lines: &mut PieceLines, words: &[String], label: &Label) {
         let drawing = self.drawing;
         for stitches in &drawing.stitches {
-            self.draw_edge(sheet, stitches);
+            self.draw_edge(lines, stitches);
         }
-        self.draw_lines(sheet);
-        self.draw_points(sheet);
+        self.draw_lines(&mut lines.marks);
+        self.draw_points(&mut lines.marks);
         let cut = cut_path(drawing, self.page_from_piece);
         let stroke = Stroke::solid(0.5 * self.thick);
-        sheet.path(cut, None, Some(stroke.clone()));
+        lines.cut.path(cut, None, Some(stroke.clone()));
         for notch in &drawing.notches {
-            draw_notch(sheet, notch, self.page_from_piece, &stroke);
+            draw_notch(&mut lines.cut, notch, self.page_from_piece, &stroke);
         }
         let grain = drawing.grain.map(|end| self.page_from_piece * end);
-        arrow(sheet, grain, &Stroke::solid(0.35 * self.thick));
-        draw_label(sheet, words, label);
+        arrow(&mut lines.marks, grain, &Stroke::solid(0.35 * self.thick));
+        draw_label(&mut lines.words, words, label);
     }
 
     /// Of lines and points on the piece.
@@ -132,16 +171,19 @@ impl FullSize<'_> {
     }
 
     /// The stitching line of an edge: broken where it is sewn, and said where it lies on a fold.
-    fn draw_edge(&self, sheet: &mut Sheet, stitches: &DrawnStitches) {
+    fn draw_edge(&self, lines: &mut PieceLines, stitches: &DrawnStitches) {
         let path = line(&stitches.points, self.page_from_piece);
         if stitches.finish == Finish::Fold {
-            sheet.path(path, None, Some(fold_stroke()));
+            lines.cut.path(path, None, Some(fold_stroke()));
             if let [first, .., last] = stitches.points[..] {
-                self.say_fold(sheet, [first, last].map(|end| self.page_from_piece * end));
+                self.say_fold(
+                    &mut lines.cut,
+                    [first, last].map(|end| self.page_from_piece * end),
+                );
             }
         } else if 1e-9 < stitches.allowance.to_m() {
             let stroke = Stroke::dashed(0.3 * self.thick, 3.0).with_color(STITCH);
-            sheet.path(path, None, Some(stroke));
+            lines.sewing.path(path, None, Some(stroke));
         }
     }
 

@@ -145,8 +145,9 @@ impl Folder<'_> {
         }
         for page in self.parts.whole {
             if let Some(sheet) = whole_sheet(cut, *page, language) {
-                let name = whole_name(id, *page);
-                self.pdf(&name, cut.garment.name.text(language), vec![sheet])?;
+                let title = cut.garment.name.text(language);
+                let bytes = sheet.to_bytes(title, language)?;
+                self.add(&whole_name(id, *page), bytes);
             }
         }
         // Leaves and flowers are tied, not cut.

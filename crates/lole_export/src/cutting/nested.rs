@@ -8,7 +8,7 @@ use lole_pattern::piece::{Drawing, Finish, Piece};
 
 use super::draw::{PLACE_ON_FOLD, arrow, fold_stroke, line, notch_places, outline};
 use super::{CutGarment, MM, TOLERANCE, cut_words};
-use crate::pdf::{Align, Rect, Sheet, Stroke, TextStyle};
+use crate::pdf::{Align, Layer, LayeredSheet, Rect, Sheet, Stroke, TextStyle};
 
 /// Width of the page [mm]: a roll of 36 inches.
 const WIDTH: f64 = 914.4;
@@ -78,7 +78,7 @@ pub fn nested_sheet(
     sizes: &[DancerPlan],
     garment: usize,
     language: Language,
-) -> Result<Sheet, NotNested> {
+) -> Result<LayeredSheet, NotNested> {
     let first = sizes.first().and_then(|size| size.garments.get(garment));
     let first = first.ok_or(NotNested::Rectangles)?;
     let cut = CutGarment::of(first);
@@ -100,14 +100,23 @@ pub fn nested_sheet(
     let (corners, height) = shelves(&bounds).map_err(wide)?;
     let mut sheet = Sheet::new([WIDTH, height]);
     draw_chart(&mut sheet, (&cut, sizes), language);
+    let mut by_size = vec![Sheet::new(sheet.size); sizes.len()];
     for (nest, (bounds, corner)) in nests.iter().zip(bounds.iter().zip(corners)) {
         // The upper left corner of the largest comes to lie there.
         let page = Affine::translate((corner.x, corner.y))
             * Affine::scale_non_uniform(MM, -MM)
             * Affine::translate((-bounds.x0, -bounds.y1));
+        nest.draw_sizes(&mut by_size, page);
         nest.draw(&mut sheet, page, (&cut, language));
     }
-    Ok(sheet)
+    let layers = sizes.iter().zip(by_size).map(|(size, sheet)| Layer {
+        name: size.name.clone(),
+        items: sheet.items,
+    });
+    Ok(LayeredSheet {
+        base: sheet,
+        layers: layers.collect(),
+    })
 }
 
 /// One piece in all sizes.
@@ -145,9 +154,11 @@ impl<'a> Nest<'a> {
             .unwrap_or_default()
     }
 
-    fn draw(&self, sheet: &mut Sheet, page: Affine, (cut, language): (&CutGarment, Language)) {
+    /// The lines of each size on a layer of its own.
+    fn draw_sizes(&self, layers: &mut [Sheet], page: Affine) {
         let small = TextStyle::bold(7.5);
-        for (index, (name, drawing)) in self.drawings.iter().enumerate() {
+        let sizes = self.drawings.iter().zip(layers);
+        for (index, ((name, drawing), sheet)) in sizes.enumerate() {
             sheet.path(outline(&drawing.cut, page), None, Some(stroke(index)));
             for marked in &drawing.lines {
                 sheet.path(
@@ -179,6 +190,10 @@ impl<'a> Nest<'a> {
                 sheet.text([at.x + 0.5, at.y + level], name, &small, Align::Left);
             }
         }
+    }
+
+    /// What all sizes have in common: grain, fold and words.
+    fn draw(&self, sheet: &mut Sheet, page: Affine, (cut, language): (&CutGarment, Language)) {
         let Some((_, first)) = self.drawings.first() else {
             return;
         };
@@ -329,7 +344,9 @@ mod tests {
                 .map(|size| order::plan(size, &design).unwrap_or_else(|error| panic!("{error}")))
                 .collect();
             let sheet = nested_sheet(&sizes, 0, Language::English);
-            let sheet = sheet.unwrap_or_else(|error| panic!("{kind}: {error:?}"));
+            let sheet = sheet
+                .unwrap_or_else(|error| panic!("{kind}: {error:?}"))
+                .flat();
             let count = |name: &str| sheet.texts().iter().filter(|text| **text == name).count();
             let pieces = sizes[0].garments[0].tailored.cutting().pieces.iter();
             let shaped = pieces

@@ -15,12 +15,12 @@ use lole_pattern::marker::{Lay, Marker, Nap, Placed, TableCloth, lay_out};
 use lole_pattern::piece::{ClothRole, CutCount, Finish, Piece};
 use lole_pattern::polygon::Polygon;
 
-use super::draw::{FullSize, PLACE_ON_FOLD, fitting, fold_stroke, outline};
+use super::draw::{FullSize, PLACE_ON_FOLD, PieceLines, fitting, fold_stroke, outline};
 use super::label::Label;
 use super::stamp::{CODE, draw_bar};
 use super::{CutGarment, MM, TOLERANCE, cut_words};
 use crate::canvas::Canvas;
-use crate::pdf::{Align, Color, Item, Paper, Rect, Sheet, Stroke, TextStyle};
+use crate::pdf::{Align, Color, Item, Layer, Paper, Rect, Sheet, Stroke, TextStyle};
 
 /// What no home printer needs to print on [mm].
 const MARGIN: f64 = 10.0;
@@ -73,7 +73,8 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
         is_upright: false,
         thick: 1.0,
     };
-    let drawing = Arc::new(draw_pieces(cut, &free, &drawn, language));
+    let layers = draw_pieces(cut, &free, &drawn, language);
+    let drawing = Arc::new(layers.into_iter().flat_map(|layer| layer.items).collect());
     let mut sheets = vec![cover(cut, &layout, tiles.len(), language)];
     for (number, tile) in (1_usize..).zip(&tiles) {
         let mut sheet = layout.tile_sheet(*tile, &tiles, &drawing, language);
@@ -456,14 +457,14 @@ impl Joint {
     }
 }
 
-/// All pieces at full size in the space of the whole drawing.
+/// All pieces at full size in the space of the whole drawing, by what lines are for.
 pub(super) fn draw_pieces(
     cut: &CutGarment,
     free: &[&Piece],
     drawn: &Drawn<'_>,
     language: Language,
-) -> Vec<Item> {
-    let mut sheet = Sheet::new([0.0, 0.0]);
+) -> Vec<Layer> {
+    let mut lines = PieceLines::none();
     for placed in drawn.placed {
         let piece = free[placed.piece];
         let to_page = drawn.page_from_cloth * placed.cloth_from_piece;
@@ -479,9 +480,9 @@ pub(super) fn draw_pieces(
             language,
             thick: drawn.thick,
         };
-        full_size.draw(&mut sheet, &words, &place);
+        full_size.draw(&mut lines, &words, &place);
     }
-    sheet.items
+    lines.into_layers(language)
 }
 
 /// Pieces as they lie on paper.

@@ -11,7 +11,7 @@ use lole_pattern::piece::ClothRole;
 use super::stamp::CODE;
 use super::tiles::{Drawn, draw_pieces, free_pieces, on_paper};
 use super::{CutGarment, MM};
-use crate::pdf::{Align, Rect, Sheet, Stroke, TextStyle};
+use crate::pdf::{Align, LayeredSheet, Rect, Sheet, Stroke, TextStyle};
 
 /// A page that holds everything.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,7 +83,7 @@ const HEAD: f64 = 122.0;
 /// The pieces of a garment that no ruler draws, on one page; `None` where there are none, or where one is wider
 /// than the page.
 #[must_use]
-pub fn whole_sheet(cut: &CutGarment, page: WholeSheet, language: Language) -> Option<Sheet> {
+pub fn whole_sheet(cut: &CutGarment, page: WholeSheet, language: Language) -> Option<LayeredSheet> {
     let free = free_pieces(cut);
     if free.is_empty() {
         return None;
@@ -118,10 +118,10 @@ pub fn whole_sheet(cut: &CutGarment, page: WholeSheet, language: Language) -> Op
         is_upright: true,
         thick: page.thick(),
     };
-    sheet
-        .items
-        .extend(draw_pieces(cut, &free, &drawn, language));
-    Some(sheet)
+    Some(LayeredSheet {
+        base: sheet,
+        layers: draw_pieces(cut, &free, &drawn, language),
+    })
 }
 
 /// Whether a garment has pieces for such pages at all.
@@ -202,7 +202,7 @@ mod tests {
             let cut = CutGarment::of(&plan.garments[1]);
             for (page, name) in WholeSheet::ALL {
                 let sheet = whole_sheet(&cut, page, Language::English);
-                let sheet = sheet.unwrap_or_else(|| panic!("{kind} {name}"));
+                let sheet = sheet.unwrap_or_else(|| panic!("{kind} {name}")).flat();
                 let [width, height] = sheet.size;
                 let paths = sheet.items.iter().filter_map(|item| match item {
                     crate::pdf::Item::Path { path, .. } => Some(kurbo::Shape::bounding_box(path)),
