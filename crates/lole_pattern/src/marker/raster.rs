@@ -33,28 +33,25 @@ impl Bits {
     fn or_shifted(&mut self, other: &Self, by: usize) {
         let (words, bits) = (by / WORD, by % WORD);
         let source = other.0.get(words..).unwrap_or_default();
-        for (index, word) in self.0.iter_mut().enumerate() {
-            *word |= shifted(source, index, bits);
+        if bits == 0 {
+            let pairs = self.0.iter_mut().zip(source);
+            pairs.for_each(|(word, low)| *word |= low);
+            return;
+        }
+        let Some((last, ahead)) = source.split_last().map(|(last, _)| (last, &source[1..])) else {
+            return;
+        };
+        let pairs = source.iter().zip(ahead);
+        for (word, (low, high)) in self.0.iter_mut().zip(pairs) {
+            *word |= low >> bits | high << (WORD - bits);
+        }
+        if let Some(word) = self.0.get_mut(source.len() - 1) {
+            *word |= last >> bits;
         }
     }
 
-    /// `self[x] |= self[x + by]`: what is read lies ahead of what is written.
-    fn smear(&mut self, by: usize) {
-        let (words, bits) = (by / WORD, by % WORD);
-        for index in 0..self.0.len() {
-            let source = self.0.get(words..).unwrap_or_default();
-            let ahead = shifted(source, index, bits);
-            self.0[index] |= ahead;
-        }
-    }
-
-    fn copy_from(&mut self, other: &Self) {
-        self.0.clear();
-        self.0.extend_from_slice(&other.0);
-    }
-
-    fn is_empty(&self) -> bool {
-        self.0.iter().all(|word| *word == 0)
+    fn is_full(&self) -> bool {
+        self.0.iter().all(|word| *word == u64::MAX)
     }
 
     /// The first bit from `from` on that is zero; beyond the end all are.
@@ -75,21 +72,13 @@ impl Bits {
     }
 }
 
-/// 64 bits of a row from `index` words and some bits on.
-fn shifted(row: &[u64], index: usize, bits: usize) -> u64 {
-    let low = row.get(index).copied().unwrap_or(0) >> bits;
-    if bits == 0 {
-        low
-    } else {
-        low | row.get(index + 1).copied().unwrap_or(0) << (WORD - bits)
-    }
-}
-
 /// A piece as runs of pixels: every pixel that it touches.
 #[derive(Debug, Clone)]
 pub(super) struct Shape {
     /// Runs `[from, to)` of each row, rows across the cloth.
     rows: Vec<Vec<[usize; 2]>>,
+    /// Rows in the order in which they are looked at: the longest first, for they leave least.
+    longest_first: Vec<usize>,
     pub(super) column_count: usize,
 }
 
@@ -123,11 +112,15 @@ impl Shape {
             .collect();
         let bounds = outline.bounds();
         let row_count = pixel_above(bounds.y1 / pixel);
-        let rows = (0..row_count)
+        let rows: Vec<Vec<[usize; 2]>> = (0..row_count)
             .map(|row| row_runs(&sides, row as f64))
             .collect();
+        let longest = |row: &usize| rows[*row].iter().map(|[from, to]| to - from).max();
+        let mut longest_first: Vec<usize> = (0..row_count).collect();
+        longest_first.sort_by_key(|row| std::cmp::Reverse(longest(row)));
         Self {
             rows,
+            longest_first,
             column_count: pixel_above(bounds.x1 / pixel),
         }
     }
@@ -183,11 +176,48 @@ fn row_runs(sides: &[[Point; 2]], bottom: f64) -> Vec<[usize; 2]> {
     runs
 }
 
+/// A row of cloth, and where a run of 1, 2, 4, … pixels that begins there would meet something; empty where nothing
+/// is taken.
+#[derive(Debug, Clone, Default)]
+struct Row(Vec<Bits>);
+
+impl Row {
+    /// Takes some pixels of a row of so many words.
+    fn take(&mut self, runs: impl Iterator<Item = [usize; 2]>, word_count: usize) {
+        let mut taken = self.0.drain(..).next().unwrap_or_default();
+        taken.0.resize(word_count, 0);
+        runs.for_each(|run| taken.set(run));
+        let mut length = 1;
+        while length < word_count * WORD {
+            let mut longer = taken.clone();
+            longer.or_shifted(&taken, length);
+            self.0.push(std::mem::replace(&mut taken, longer));
+            length *= 2;
+        }
+        self.0.push(taken);
+    }
+
+    /// Adds to `taken` where a run would meet something, `from` pixels behind the place itself.
+    fn meet(&self, [from, to]: [usize; 2], taken: &mut Bits) {
+        let Some(longest) = self.0.len().checked_sub(1) else {
+            return;
+        };
+        let length = to - from;
+        // Two runs of a power of two cover one of any length; longer than the cloth is as long as it.
+        let level = (length.ilog2() as usize).min(longest);
+        let met = &self.0[level];
+        taken.or_shifted(met, from);
+        let rest = length - (1 << level);
+        if 0 < rest {
+            taken.or_shifted(met, from + rest);
+        }
+    }
+}
+
 /// Cloth of which some pixels are taken.
 #[derive(Debug, Clone)]
 pub(super) struct Field {
-    rows: Vec<Bits>,
-    column_count: usize,
+    rows: Vec<Row>,
     /// Free from this column on.
     end: usize,
 }
@@ -203,8 +233,7 @@ pub(super) enum Columns<'a> {
 impl Field {
     pub(super) fn new(row_count: usize) -> Self {
         Self {
-            rows: vec![Bits::default(); row_count],
-            column_count: 0,
+            rows: vec![Row::default(); row_count],
             end: 0,
         }
     }
@@ -223,12 +252,13 @@ impl Field {
         columns: &Columns<'_>,
     ) -> Option<[usize; 2]> {
         let mut best: Option<[usize; 2]> = None;
-        let mut smeared = Bits::default();
+        let mut taken = Bits::default();
         for row in 0..=last_row {
-            if best.is_some_and(|[column, _]| column == 0) {
+            let before = best.map(|[column, _]| column);
+            if before == Some(0) {
                 break;
             }
-            let taken = self.taken(shape, row, &mut smeared);
+            self.find_taken(shape, row, before, &mut taken);
             let column = match columns {
                 Columns::All => Some(taken.first_zero(0)),
                 Columns::Only(list) => {
@@ -248,44 +278,42 @@ impl Field {
         best
     }
 
-    /// All columns at which a shape whose lowest row lies at `row` would meet something. `smeared` is
-    /// room to work in.
-    fn taken(&self, shape: &Shape, row: usize, smeared: &mut Bits) -> Bits {
-        let mut taken = Bits::zeros(self.end);
-        for (runs, cloth) in shape.rows.iter().zip(&self.rows[row..]) {
-            if cloth.is_empty() {
+    /// All columns at which a shape whose lowest row lies at `row` would meet something; of those `before` a column
+    /// where only they matter, and then more may count as taken.
+    fn find_taken(&self, shape: &Shape, row: usize, before: Option<usize>, taken: &mut Bits) {
+        taken.0.clear();
+        taken.0.resize(self.end.div_ceil(WORD), 0);
+        if let Some(before) = before {
+            // A place between two pixels needs the next one too.
+            let matter = before + 1;
+            taken.0.truncate(matter.div_ceil(WORD));
+            taken.set([matter.min(taken.0.len() * WORD), taken.0.len() * WORD]);
+        }
+        for &above in &shape.longest_first {
+            let cloth = &self.rows[row + above];
+            if cloth.0.is_empty() {
                 continue;
             }
-            for [from, to] in runs {
-                // The row smeared by the run's length, doubling it each time.
-                smeared.copy_from(cloth);
-                let mut length = 1;
-                while length < to - from {
-                    let by = length.min(to - from - length);
-                    smeared.smear(by);
-                    length += by;
-                }
-                taken.or_shifted(smeared, *from);
+            for run in &shape.rows[above] {
+                cloth.meet(*run, taken);
+            }
+            if before.is_some() && taken.is_full() {
+                return;
             }
         }
-        taken
     }
 
     /// Takes the pixels of a shape.
     pub(super) fn take(&mut self, shape: &Shape, [column, row]: [usize; 2]) {
         let needed = column + shape.column_count + 1;
-        if self.column_count < needed {
-            self.column_count = needed.next_multiple_of(WORD);
-            for bits in &mut self.rows {
-                bits.0.resize(self.column_count / WORD, 0);
-            }
-        }
-        for (runs, bits) in shape.rows.iter().zip(&mut self.rows[row..]) {
-            for [from, to] in runs {
-                bits.set([from + column, to + column]);
-            }
-        }
         self.end = self.end.max(needed);
+        let word_count = self.end.div_ceil(WORD);
+        for (runs, cloth) in shape.rows.iter().zip(&mut self.rows[row..]) {
+            if !runs.is_empty() {
+                let runs = runs.iter().map(|[from, to]| [from + column, to + column]);
+                cloth.take(runs, word_count);
+            }
+        }
     }
 }
 
@@ -320,6 +348,69 @@ mod tests {
             field.first_free(&second, 0, &Columns::Only(&only)),
             Some([5, 0])
         );
+    }
+
+    /// The first free place, pixel by pixel.
+    fn looked_for(
+        taken: &[Vec<bool>],
+        shape: &Shape,
+        last_row: usize,
+        columns: &Columns<'_>,
+    ) -> Option<[usize; 2]> {
+        let is_free = |column: usize, row: usize| {
+            let mut runs = shape.rows.iter().enumerate();
+            runs.all(|(above, runs)| {
+                let mut pixels = runs.iter().flat_map(|[from, to]| *from..*to);
+                pixels.all(|x| {
+                    let pixel = taken[row + above].get(column + x);
+                    !pixel.copied().unwrap_or(false)
+                })
+            })
+        };
+        let rows = |column: usize| (0..=last_row).map(move |row| [column, row]);
+        match columns {
+            Columns::All => (0..).flat_map(rows).find(|[x, y]| is_free(*x, *y)),
+            Columns::Only(list) => (list.iter().copied().flat_map(rows))
+                .find(|[x, y]| is_free(*x, *y) && is_free(*x + 1, *y)),
+        }
+    }
+
+    /// Polygons by chance are laid one after the other where a search pixel by pixel finds room for them.
+    #[test]
+    fn the_first_free_place_is_the_one_that_a_search_finds() {
+        let mut chance = lole_geom::chance::Chance::new(7);
+        let mut side = |most: f32| f64::from(chance.between(1.0, most));
+        for round in 0..40 {
+            let row_count = 24;
+            let mut field = Field::new(row_count);
+            let mut taken = vec![vec![false; 2_000]; row_count];
+            for piece in 0..12 {
+                let [wide, high] = [side(90.0), side(20.0)];
+                let corners = [
+                    (0.0, side(20.0).min(high)),
+                    (side(90.0).min(wide), 0.0),
+                    (wide, side(20.0).min(high)),
+                    (side(90.0).min(wide), high),
+                ];
+                let shape = Shape::new(&Polygon::new(corners.map(Point::from)), 1.0);
+                let last_row = row_count - shape.row_count();
+                let list = [0, 3, 40, 64, 65, 127, 200, 400, 1_000];
+                let columns = if piece % 3 == 2 {
+                    Columns::Only(&list)
+                } else {
+                    Columns::All
+                };
+                let found = field.first_free(&shape, last_row, &columns);
+                let expected = looked_for(&taken, &shape, last_row, &columns);
+                assert_eq!(found, expected, "piece {piece} of round {round}");
+                let Some([column, row]) = found else { continue };
+                field.take(&shape, [column, row]);
+                for (above, runs) in shape.rows.iter().enumerate() {
+                    let pixels = runs.iter().flat_map(|[from, to]| *from..*to);
+                    pixels.for_each(|x| taken[row + above][column + x] = true);
+                }
+            }
+        }
     }
 
     #[test]
