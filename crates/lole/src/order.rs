@@ -296,7 +296,7 @@ fn own_plan(source: &Source) -> Result<(Dancer, DancerPlan), Failure> {
             .map(|(dancer, _)| dancer)
             .map_err(|error| located("dancer", Sentence::of(&error)))?,
         None => Measurements::from_tape(&design.tape())
-            .and_then(|tape| Dancer::undrawn(&tape, &design.appearance()))
+            .and_then(|tape| Dancer::to_measure(&tape, &design.appearance()))
             .map_err(|error| located("dancer", Sentence::of(&error)))?,
     };
     let plan = order::plan_dancer("", design, &dancer).map_err(|error| {

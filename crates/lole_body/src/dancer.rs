@@ -74,9 +74,10 @@ pub struct Dancer {
     /// What cloth meets and a tape measures.
     pub skin: SkinnedMesh,
     /// What is drawn of her instead; `None` where her skin is drawn: of a given body, and of one that was built
-    /// undrawn.
+    /// to be measured.
     pub drawn_body: Option<Arc<DrawnBody>>,
-    /// The capsules cloth collides with: the 13 of [`CapsuleLayout::default`].
+    /// The capsules cloth collides with: the 13 of [`CapsuleLayout::default`]; none of one that is there to be
+    /// measured.
     pub capsules: Vec<BodyCapsule>,
     /// Heights to hang clothes on.
     pub landmarks: Landmarks,
@@ -89,15 +90,18 @@ impl Dancer {
     /// # Errors
     /// A measurement outside its band, or measurements that make no closed body.
     pub fn new(measurements: &Measurements) -> Result<Self, BodyError> {
-        Self::undrawn(measurements, &Appearance::default())
+        let appearance = Appearance::default();
+        let mut dancer = Self::to_measure(measurements, &appearance)?;
+        dancer.capsules = dancer.fit_capsules(CapsuleLayout::default());
+        Ok(dancer)
     }
 
-    /// As [`Dancer::with_appearance`], but for what is only drawn: whoever measures, drafts and dresses her needs no
-    /// face, which takes a seventh of the time.
+    /// As [`Dancer::with_appearance`], but without a face and without capsules: whoever measures her and drafts for
+    /// her needs neither, and both take a third of the time.
     ///
     /// # Errors
     /// As [`Dancer::new`].
-    pub fn undrawn(
+    pub fn to_measure(
         measurements: &Measurements,
         appearance: &Appearance,
     ) -> Result<Self, BodyError> {
@@ -123,6 +127,7 @@ impl Dancer {
         let shape = surface::build(measurements)?;
         let half = skin_half(&shape);
         let mut dancer = Self::built(measurements, appearance, (&shape, &half));
+        dancer.capsules = dancer.fit_capsules(CapsuleLayout::default());
         let looks = (measurements.figure, appearance);
         let (mut drawn, scalp) = build_drawn((&shape, &half), &dancer.skeleton, looks)?;
         let style = appearance.hair.worn_by(measurements.figure);
@@ -165,14 +170,13 @@ impl Dancer {
             ankle_height: height(Bone::LeftFoot),
             crown_height: shape.body.height,
         };
-        let capsules = fit_capsules(&skin, &skeleton, &landmarks, CapsuleLayout::default());
         Self {
             measurements: *measurements,
             appearance: *appearance,
             skeleton,
             skin,
             drawn_body: None,
-            capsules,
+            capsules: Vec::new(),
             landmarks,
         }
     }

@@ -181,7 +181,7 @@ pub fn plan(dancer: &RosterDancer, design: &Design) -> Result<DancerPlan, PlanEr
 pub fn plan_design(name: &str, design: &Design) -> Result<DancerPlan, PlanError> {
     let tape = design.tape();
     let measurements = Measurements::from_tape(&tape)?;
-    let dancer = Dancer::undrawn(&measurements, &design.appearance())?;
+    let dancer = Dancer::to_measure(&measurements, &design.appearance())?;
     plan_dancer(name, design, &dancer)
 }
 

@@ -40,7 +40,7 @@ fn blouse() -> Design {
 /// What a design's costume is drafted by.
 fn drafted_by(design: &Design) -> DraftedBy {
     let measurements = Measurements::from_tape(&design.tape());
-    let dancer = measurements.and_then(|it| Dancer::undrawn(&it, &design.appearance()));
+    let dancer = measurements.and_then(|it| Dancer::to_measure(&it, &design.appearance()));
     let dancer = dancer.unwrap_or_else(|error| panic!("{error}"));
     tailoring::drafted_by(design, &dancer)
 }

@@ -100,7 +100,7 @@ impl Design {
                 .map(|(dancer, _)| dancer)
                 .map_err(|error| refused(py, &error))?,
             None => Measurements::from_tape(&document.tape())
-                .and_then(|tape| Dancer::undrawn(&tape, &document.appearance()))
+                .and_then(|tape| Dancer::to_measure(&tape, &document.appearance()))
                 .map_err(|error| refused(py, &error))?,
         };
         let plan = order::plan_dancer("", document, &dancer);

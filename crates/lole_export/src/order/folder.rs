@@ -174,7 +174,7 @@ fn booklet_of(parts: &OrderParts<'_>, bills: &[Bill]) -> Option<Vec<Sheet>> {
 /// What a design's costume is drafted by; nothing where its tape makes no body.
 fn drafted_by(design: &Design) -> DraftedBy {
     let tape = Measurements::from_tape(&design.tape());
-    let dancer = tape.and_then(|tape| Dancer::undrawn(&tape, &design.appearance()));
+    let dancer = tape.and_then(|tape| Dancer::to_measure(&tape, &design.appearance()));
     dancer.map_or_else(
         |_| DraftedBy::default(),
         |dancer| tailoring::drafted_by(design, &dancer),

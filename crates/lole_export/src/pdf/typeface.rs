@@ -1,8 +1,12 @@
 //! The built-in typeface: characters to glyphs, and how wide they are.
 
-use std::sync::LazyLock;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, PoisonError, RwLock};
 
-use harfrust::{Direction, FontRef, ShapeOptions, ShaperData, UnicodeBuffer};
+use harfrust::{
+    Direction, FontRef, Script, ShapeOptions, ShapePlan, Shaper, ShaperData, UnicodeBuffer,
+};
 use lole_language::is_unseen;
 use skrifa::MetadataProvider as _;
 use skrifa::charmap::Charmap;
@@ -75,6 +79,8 @@ struct Face {
     font: FontRef<'static>,
     shaping: ShaperData,
     charmap: Charmap<'static>,
+    /// How each script that was met is shaped: making this takes longer than shaping a word by it.
+    plans: RwLock<Vec<(Script, Arc<ShapePlan>)>>,
 }
 
 impl Face {
@@ -85,7 +91,29 @@ impl Face {
             shaping: ShaperData::new(&font),
             charmap: font.charmap(),
             font,
+            plans: RwLock::default(),
         })
+    }
+
+    /// How a script is shaped, from left to right.
+    fn plan(&self, shaper: &Shaper<'_>, script: Script) -> Arc<ShapePlan> {
+        let found = |plans: &[(Script, Arc<ShapePlan>)]| {
+            let plan = plans.iter().find(|(of, _)| *of == script);
+            plan.map(|(_, plan)| Arc::clone(plan))
+        };
+        let known = self.plans.read().unwrap_or_else(PoisonError::into_inner);
+        if let Some(plan) = found(&known) {
+            return plan;
+        }
+        drop(known);
+        let told = (script != harfrust::script::UNKNOWN).then_some(script);
+        let plan = ShapePlan::new(shaper, Direction::LeftToRight, told, None, &[]);
+        let plan = Arc::new(plan);
+        let mut known = self.plans.write().unwrap_or_else(PoisonError::into_inner);
+        if found(&known).is_none() {
+            known.push((script, Arc::clone(&plan)));
+        }
+        plan
     }
 
     /// Number of the glyph of a letter, where it has one.
@@ -136,7 +164,8 @@ pub(super) fn shape(text: &str, weight: Weight) -> Vec<Glyph> {
     buffer.guess_segment_properties();
     buffer.set_direction(Direction::LeftToRight);
     let shaper = face.shaping.shaper(&face.font).build();
-    let shaped = shaper.shape(buffer, ShapeOptions::new());
+    let plan = face.plan(&shaper, buffer.script());
+    let shaped = shaper.shape(buffer, ShapeOptions::new().plan(Some(&plan)));
     let em = f64::from(shaper.units_per_em());
     let positions = shaped.glyph_positions().iter();
     (shaped.glyph_infos().iter().zip(positions))
@@ -155,8 +184,34 @@ pub(super) fn shape(text: &str, weight: Weight) -> Vec<Glyph> {
 /// Width of one line of text at `size_pt` [mm].
 #[must_use]
 pub fn text_width(text: &str, weight: Weight, size_pt: f64) -> f64 {
-    let advance: f64 = shape(text, weight).iter().map(|glyph| glyph.advance).sum();
-    advance * size_pt * MM_PER_PT
+    advance(text, weight) * size_pt * MM_PER_PT
+}
+
+/// Texts whose widths a thread remembers, at most.
+const REMEMBERED: usize = 1024;
+
+thread_local! {
+    /// Widths [em]: whoever looks for a place for words asks for the same ones again and again.
+    static ADVANCES: RefCell<[HashMap<String, f64>; 2]> = RefCell::default();
+}
+
+/// Width of one line of text [em].
+fn advance(text: &str, weight: Weight) -> f64 {
+    if weight.face().is_none() {
+        return 0.0;
+    }
+    ADVANCES.with_borrow_mut(|known| {
+        let known = &mut known[usize::from(weight == Weight::Bold)];
+        if let Some(advance) = known.get(text) {
+            return *advance;
+        }
+        let advance = shape(text, weight).iter().map(|glyph| glyph.advance).sum();
+        if known.len() == REMEMBERED {
+            known.clear();
+        }
+        known.insert(text.to_owned(), advance);
+        advance
+    })
 }
 
 /// Characters of `text` that cannot be printed, each once, in order of appearance.

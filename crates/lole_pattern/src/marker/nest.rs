@@ -148,6 +148,10 @@ impl Table<'_> {
                 continue;
             }
             order.swap(one, other);
+            // Few pieces have few orders.
+            if tried.iter().any(|(_, known)| *known == order) {
+                continue;
+            }
             tried.push((self.length(&lay(&order)), order));
             tried.sort_by(|a, b| a.0.total_cmp(&b.0));
         }

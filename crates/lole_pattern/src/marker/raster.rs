@@ -12,10 +12,6 @@ const WORD: usize = 64;
 struct Bits(Vec<u64>);
 
 impl Bits {
-    fn zeros(length: usize) -> Self {
-        Self(vec![0; length.div_ceil(WORD)])
-    }
-
     fn set(&mut self, [from, to]: [usize; 2]) {
         for word in from / WORD..to.div_ceil(WORD) {
             let (low, high) = (word * WORD, (word + 1) * WORD);
@@ -415,10 +411,10 @@ mod tests {
 
     #[test]
     fn bits_are_found_across_words() {
-        let mut bits = Bits::zeros(256);
+        let mut bits = Bits(vec![0; 4]);
         bits.set([0, 130]);
         assert_eq!(bits.first_zero(0), 130);
-        let mut shifted = Bits::zeros(256);
+        let mut shifted = Bits(vec![0; 4]);
         shifted.or_shifted(&bits, 70);
         assert_eq!(shifted.first_zero(0), 60);
     }
