@@ -26,7 +26,7 @@ pub use adorned::Adornment;
 pub use danced::Danced;
 pub use double_pau::double_pau;
 pub use hold::{ElasticHold, HoldWatch, OFF};
-pub use live::{Pull, Show, Vitals, Wish};
+pub use live::{PartNow, Pull, Show, Vitals, Wish};
 pub use lole_garment::dress::Division;
 pub use lole_hula::{Formation, assign_places};
 pub use metrics::{FrameMetrics, RunMetrics};

@@ -30,6 +30,15 @@ const HAND_RADIUS: f32 = 0.022;
 /// Fastest the hand moves the cloth [m/s], so that a jerk of the mouse does not tear it.
 const HAND_SPEED: f32 = 1.6;
 
+/// Where in a choreography she is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartNow {
+    /// Place of the part in the list.
+    pub index: usize,
+    /// How much of its counts is danced, from 0 to 1.
+    pub share: f32,
+}
+
 /// A show: a performance with its present wishes.
 pub struct Show {
     performance: Performance,
@@ -257,7 +266,7 @@ impl Show {
     /// manner: it goes on from the same count.
     fn has_danced_alike(&self, design: &Design) -> bool {
         let (old, new) = (&self.design.motion, &design.motion);
-        let now = self.part();
+        let now = self.part().map(|part| part.index);
         let alike = |now: usize| {
             let upto = |parts: &[PartDesign]| parts.get(..=now).map(<[_]>::to_vec);
             upto(&old.parts) == upto(&new.parts)
@@ -496,10 +505,10 @@ impl Show {
         self.performance.substep_count()
     }
 
-    /// Place of the part of the choreography that is danced now; `None` before the first and after
-    /// the last one, and where there are none.
+    /// The part of the choreography that is danced now; `None` before the first and after the last
+    /// one, and where there are none.
     #[must_use]
-    pub fn part(&self) -> Option<usize> {
+    pub fn part(&self) -> Option<PartNow> {
         let layer = self.layers.last()?;
         part_at(&layer.dance, &self.design.motion.parts, layer.time)
     }
@@ -662,17 +671,22 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
     cut(old) != cut(new)
 }
 
-/// Place of the part of a choreography that is danced at `time` [s].
-fn part_at(dance: &Danced, parts: &[PartDesign], time: f64) -> Option<usize> {
+/// The part of a choreography that is danced at `time` [s].
+fn part_at(dance: &Danced, parts: &[PartDesign], time: f64) -> Option<PartNow> {
     let begun = dance.beat_at(f64::from(dance.lead_in()))?;
-    let mut left = dance.beat_at(time)? - begun;
-    if left < 0.0 {
+    let mut danced = dance.beat_at(time)? - begun;
+    if danced < 0.0 {
         return None;
     }
-    parts.iter().position(|part| {
-        left -= f64::from(part.beat_count);
-        left < 0.0
-    })
+    for (index, part) in parts.iter().enumerate() {
+        let counts = f64::from(part.beat_count);
+        if danced < counts {
+            let share = narrow(danced / counts);
+            return Some(PartNow { index, share });
+        }
+        danced -= counts;
+    }
+    None
 }
 
 /// A motion but for its tempo and length, and for what of its parts is no step of one dancer.

@@ -12,8 +12,8 @@ const SMALL: f32 = 14.5;
 /// Size of a panel's title [point].
 const HEADING: f32 = 18.0;
 
-/// Height of what can be clicked [point].
-pub(crate) const TARGET: f32 = 34.0;
+/// Height of what can be clicked, and the least width of it [point]: a fingertip.
+pub(crate) const TARGET: f32 = 40.0;
 
 pub(crate) const PAPER: Color32 = Color32::from_rgb(250, 247, 241);
 pub(crate) const CARD: Color32 = Color32::from_rgb(255, 254, 251);

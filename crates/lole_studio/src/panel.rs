@@ -42,6 +42,7 @@ mod steps;
 mod swatch;
 #[cfg(test)]
 mod tests;
+mod timeline;
 mod wind;
 
 use eframe::egui::{self, RichText, Ui};

@@ -10,7 +10,7 @@ use lole_cloth::Grid;
 use lole_geom::Capsule;
 use lole_picture::{Looks, Moment};
 use lole_render::Scene;
-use lole_stage::{Divergence, Production, Worn, WornSurface};
+use lole_stage::{Divergence, PartNow, Production, Worn, WornSurface};
 
 use crate::history::Sample;
 
@@ -175,8 +175,8 @@ pub struct Snapshot {
     pub samples: Vec<Sample>,
     /// Seconds of the dance in one second on the wall, measured; `None` while it stands still.
     pub pace: Option<f64>,
-    /// Place of the part of the choreography that is danced.
-    pub part: Option<usize>,
+    /// The part of the choreography that is danced.
+    pub part: Option<PartNow>,
     /// How long the recording is that is danced [s].
     pub recording_seconds: Option<f32>,
     /// Substeps of the next frame.

@@ -354,7 +354,7 @@ impl Studio {
     #[must_use]
     pub(crate) fn scenery(&self, snapshot: &Snapshot) -> Scenery {
         let usual = snapshot.wardrobe.looks.scenery;
-        let danced = snapshot.part.map_or(0, |part| part + 1);
+        let danced = snapshot.part.map_or(0, |part| part.index + 1);
         let begun = self.design().motion.parts.iter().take(danced);
         let mood = begun.filter_map(|part| part.mood).next_back();
         Scenery {

@@ -8,6 +8,13 @@ pub(crate) const SAVE: Words = words("保存", "Save");
 pub(crate) const SAVE_AS: Words = words("名前をつけて保存…", "Save as…");
 pub(crate) const PICTURE: Words = words("写真を撮る…", "Take a picture…");
 pub(crate) const BROWSE: Words = words("パソコンのファイル選択で探す…", "The system’s own window…");
+pub(crate) const TIMELINE_HOW: Words = words(
+    "帯を左右に引くと順番が変わり、押すとその所が下に出ます。",
+    "Drag a block to change the order; click it to see that part below.",
+);
+pub(crate) const REPEAT_PART: Words = words("選んだ所をもう一度", "Repeat the chosen part");
+pub(crate) const MIRROR_PARTS: Words = words("左右を入れかえる", "Mirror left and right");
+pub(crate) const PLACES: Words = words("場所", "Places");
 pub(crate) const OWN_FOLDER: Words = words("自分のフォルダー", "My folder");
 pub(crate) const FOLDER_ABOVE: Words = words("上のフォルダーへ", "To the folder above");
 pub(crate) const NOTHING_HERE: Words = words(

@@ -1,7 +1,7 @@
 //! The built-in typeface: characters to glyphs, and how wide they are.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock, PoisonError, RwLock};
 
 use harfrust::{
@@ -192,7 +192,7 @@ const REMEMBERED: usize = 1024;
 
 thread_local! {
     /// Widths [em]: whoever looks for a place for words asks for the same ones again and again.
-    static ADVANCES: RefCell<[HashMap<String, f64>; 2]> = RefCell::default();
+    static ADVANCES: RefCell<[BTreeMap<String, f64>; 2]> = RefCell::default();
 }
 
 /// Width of one line of text [em].

@@ -5,10 +5,11 @@ use lole_body::Side;
 use lole_costume::document::{PartDesign, StageMood, StageSet};
 use lole_hula::Formation;
 use lole_language::Words;
+use lole_stage::PartNow;
 
 use super::knob::{self, DropDown, wide_button};
 use super::steps::StepList;
-use super::{dance, hindrance};
+use super::{dance, hindrance, timeline};
 use crate::{Studio, look, text};
 
 /// Most counts of one part.
@@ -17,10 +18,14 @@ const MOST_COUNTS: u32 = 256;
 const DIRECTIONS: [f64; 8] = [-135.0, -90.0, -45.0, 0.0, 45.0, 90.0, 135.0, 180.0];
 
 /// What was done to the list.
-enum Edit {
+pub(super) enum Edit {
     Change(usize, PartDesign),
     Move(usize, usize),
     Remove(usize),
+    /// Once more, after itself.
+    Repeat(usize),
+    /// Left for right in all of them.
+    Mirror,
     Add,
 }
 
@@ -34,20 +39,24 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     }
     let parts = studio.design().motion.parts.clone();
     ui.label(RichText::new(whole(studio, &parts)).small().weak());
-    let dancing = dancing_part(studio);
-    let mut edit = None;
+    let dancing = dancing_part(studio).map(|part| part.index);
+    let timeline = timeline::show(ui, studio, &parts);
+    let mut edit = timeline.edit;
     for index in 0..parts.len() {
         let fill = if dancing == Some(index) {
             look::PALE_RED
         } else {
             look::CARD
         };
-        look::card(fill).inner_margin(6).show(ui, |ui| {
+        let card = look::card(fill).inner_margin(6).show(ui, |ui| {
             ui.set_width(ui.available_width());
             if let Some(done) = part_ui(ui, studio, &parts, index) {
                 edit = Some(done);
             }
         });
+        if timeline.looked_at == Some(index) {
+            card.response.scroll_to_me(Some(egui::Align::Center));
+        }
         let place = format!("[[motion.part]] {} ", index + 1);
         hindrance::show(ui, studio, &[&place]);
     }
@@ -78,8 +87,8 @@ fn whole(studio: &Studio, parts: &[PartDesign]) -> String {
     }
 }
 
-/// Place of the part that is danced in the picture.
-fn dancing_part(studio: &Studio) -> Option<usize> {
+/// The part that is danced in the picture.
+pub(super) fn dancing_part(studio: &Studio) -> Option<PartNow> {
     studio.snapshot.as_ref()?.part
 }
 
@@ -232,18 +241,32 @@ fn is_same(a: f64, b: f64) -> bool {
 fn apply(parts: &mut Vec<PartDesign>, edit: Edit) {
     match edit {
         Edit::Change(index, part) => parts[index] = part,
-        Edit::Move(from, to) => parts.swap(from, to),
+        Edit::Move(from, to) => {
+            let part = parts.remove(from);
+            parts.insert(to.min(parts.len()), part);
+        }
         Edit::Remove(index) => drop(parts.remove(index)),
+        Edit::Repeat(index) => parts.insert(index, parts[index]),
+        Edit::Mirror => {
+            for part in parts.iter_mut() {
+                part.side = other_side(part.side);
+                part.facing_deg = -part.facing_deg;
+            }
+        }
         Edit::Add => {
             let mut next = parts.last().copied().unwrap_or_default();
-            next.side = match next.side {
-                Side::Right => Side::Left,
-                Side::Left => Side::Right,
-            };
+            next.side = other_side(next.side);
             parts.push(next);
         }
     }
     unwind(parts);
+}
+
+const fn other_side(side: Side) -> Side {
+    match side {
+        Side::Right => Side::Left,
+        Side::Left => Side::Right,
+    }
 }
 
 /// Turns the shorter way round from part to part: facings are counted on over whole turns.
@@ -286,10 +309,20 @@ mod tests {
         assert_eq!(round, [90.0, 180.0, 270.0, 360.0]);
         design.check("test").unwrap();
         let parts = &mut design.motion.parts;
-        apply(parts, Edit::Move(0, 1));
+        let before = parts.clone();
+        apply(parts, Edit::Mirror);
+        assert_eq!(parts[0].facing_deg.to_bits(), (-90.0_f64).to_bits());
+        assert!(std::iter::zip(&*parts, &before).all(|(now, was)| now.side != was.side));
+        apply(parts, Edit::Mirror);
+        assert_eq!(*parts, before);
+        apply(parts, Edit::Repeat(1));
+        assert_eq!((parts.len(), parts[1]), (before.len() + 1, parts[2]));
+        design.check("test").unwrap();
+        let parts = &mut design.motion.parts;
+        apply(parts, Edit::Move(0, 4));
         apply(parts, Edit::Remove(1));
         design.check("test").unwrap();
-        assert_eq!(design.motion.parts.len(), 3);
+        assert_eq!(design.motion.parts.len(), before.len());
     }
 
     #[test]

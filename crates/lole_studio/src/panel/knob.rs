@@ -111,8 +111,9 @@ pub(super) fn loose_choice<T: PartialEq + Copy>(
 ) -> Option<T> {
     let mut picked = None;
     for &(option, name) in options {
-        let button =
-            egui::Button::selectable(chosen == Some(option), name).frame_when_inactive(true);
+        let button = egui::Button::selectable(chosen == Some(option), name)
+            .frame_when_inactive(true)
+            .min_size(egui::Vec2::splat(look::TARGET));
         if ui.add(button).clicked() {
             picked = Some(option);
         }
@@ -151,7 +152,7 @@ pub(super) fn wide_button(ui: &mut Ui, name: &str) -> bool {
 }
 
 /// Size of a button with a sign [point].
-pub(super) const SIGN: egui::Vec2 = egui::vec2(36.0, look::TARGET);
+pub(super) const SIGN: egui::Vec2 = egui::vec2(look::TARGET, look::TARGET);
 
 /// A small button with a sign that is read out as `name`; whether it was clicked.
 pub(super) fn sign_button(ui: &mut Ui, sign: &str, name: &str) -> bool {

@@ -127,6 +127,9 @@ fn upper(
     scrolled.content_size.y - list
 }
 
+/// Windows lower than this have the places in a list that drops down: the files need the height [point].
+const LOW: f32 = 420.0;
+
 /// How a question ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum End {
@@ -137,23 +140,24 @@ enum End {
 /// The folder that is looked into, the one above it, and those that people keep files in.
 fn places(ui: &mut Ui, studio: &mut Studio, question: &mut Question, listing: &Listing) {
     let mut wanted = None;
-    ui.horizontal_wrapped(|ui| {
-        for place in &listing.places {
-            let is_own = Some(place) == listing.places.first();
-            let name = match place.file_name() {
-                Some(name) if !is_own => name.to_string_lossy().into_owned(),
-                _ => studio.say(text::OWN_FOLDER).to_owned(),
-            };
-            if ui.button(name).clicked() {
-                wanted = Some(place.clone());
+    let is_low = ui.ctx().content_rect().height() < LOW;
+    if !is_low {
+        ui.horizontal_wrapped(|ui| {
+            for place in &listing.places {
+                if ui.button(place_name(studio, listing, place)).clicked() {
+                    wanted = Some(place.clone());
+                }
             }
-        }
-    });
+        });
+    }
     ui.horizontal(|ui| {
         if let Some(above) = listing.folder.parent()
             && sign_button(ui, "⬆", studio.say(text::FOLDER_ABOVE))
         {
             wanted = Some(above.to_owned());
+        }
+        if is_low {
+            wanted = place_list(ui, studio, listing).or(wanted.take());
         }
         let here = RichText::new(listing.folder.display().to_string()).small();
         ui.add(egui::Label::new(here).wrap());
@@ -161,6 +165,35 @@ fn places(ui: &mut Ui, studio: &mut Studio, question: &mut Question, listing: &L
     if let Some(folder) = wanted {
         go_to(studio, question, folder);
     }
+}
+
+fn place_name(studio: &Studio, listing: &Listing, place: &Path) -> String {
+    let is_own = listing.places.first().is_some_and(|own| own == place);
+    match place.file_name() {
+        Some(name) if !is_own => name.to_string_lossy().into_owned(),
+        _ => studio.say(text::OWN_FOLDER).to_owned(),
+    }
+}
+
+/// The places as a list that drops down.
+fn place_list(ui: &mut Ui, studio: &Studio, listing: &Listing) -> Option<PathBuf> {
+    let mut wanted = None;
+    let title = studio.say(text::PLACES);
+    let list = egui::ComboBox::from_id_salt("places").selected_text(title);
+    let shown = list.show_ui(ui, |ui| {
+        for place in &listing.places {
+            let name = place_name(studio, listing, place);
+            if ui
+                .selectable_label(*place == listing.folder, name)
+                .clicked()
+            {
+                wanted = Some(place.clone());
+            }
+        }
+    });
+    let info = || egui::WidgetInfo::labeled(egui::Role::ComboBox, true, title);
+    shown.response.widget_info(info);
+    wanted
 }
 
 /// Looks into another folder; the name that was typed stays.

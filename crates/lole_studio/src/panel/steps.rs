@@ -67,6 +67,14 @@ const FAMILIES: &[Family] = &[
     },
 ];
 
+/// Place of the family of a step.
+pub(super) fn family_of(step: DanceStep) -> usize {
+    let mut families = FAMILIES.iter();
+    families
+        .position(|family| family.steps.contains(&step))
+        .unwrap_or(0)
+}
+
 /// Height of the list that drops down [point]: a dozen steps.
 const LIST_HEIGHT: f32 = 480.0;
 

@@ -17,7 +17,7 @@ use lole_costume::fabrics::PRESETS;
 use lole_hula::DanceStep;
 use lole_hula::SCHOOLS;
 use lole_language::{Language, Sentence};
-use lole_stage::Divergence;
+use lole_stage::{Divergence, PartNow};
 
 use crate::message::Message;
 use crate::panel::ClipShelf;
@@ -283,7 +283,7 @@ fn lamps_follow_the_choreography() {
     let mut moment = crate::sim::first_moment(&design).expect("she is dressed");
     let studio = Studio::new(Language::English, design, None);
     let lamps = [None, Some(0), Some(1), Some(2)].map(|part| {
-        moment.part = part;
+        moment.part = part.map(|index| PartNow { index, share: 0.5 });
         studio.scenery(&moment).mood
     });
     let [before, first, second, third] = lamps;

@@ -12,7 +12,7 @@ use lole_geom::{Capsule, Length};
 use lole_language::{Language, Sentence};
 use lole_picture::{BodyPart, Cover, Looks, Moment, Scenery};
 use lole_render::{BackShade, Camera, Material, Sides, Texture};
-use lole_stage::{Divergence, Pull, Vertices, Vitals};
+use lole_stage::{Divergence, PartNow, Pull, Vertices, Vitals};
 
 use super::parcel::{Packer, Unpacker, get_vertices, put_vertices};
 use crate::command::Watch;
@@ -393,7 +393,10 @@ pub(crate) fn put_snapshot(packer: &mut Packer, snapshot: &Snapshot) {
     packer.list(&snapshot.sunken);
     packer.each(&snapshot.samples, put_sample);
     packer.maybe(snapshot.pace, Packer::put);
-    packer.maybe(snapshot.part, Packer::count);
+    packer.maybe(snapshot.part, |packer, part| {
+        packer.count(part.index);
+        packer.put(part.share);
+    });
     packer.maybe(snapshot.recording_seconds, Packer::put);
     packer.put(snapshot.substep_count);
     packer.each(&snapshot.without_room, |packer, bone| {
@@ -428,7 +431,10 @@ pub(crate) fn get_snapshot(
         sunken: unpacker.list()?,
         samples: unpacker.each(get_sample)?,
         pace: unpacker.maybe(Unpacker::get)?,
-        part: unpacker.maybe(Unpacker::count)?,
+        part: unpacker.maybe(|unpacker| {
+            let (index, share) = (unpacker.count()?, unpacker.get()?);
+            Some(PartNow { index, share })
+        })?,
         recording_seconds: unpacker.maybe(Unpacker::get)?,
         substep_count: unpacker.get()?,
         without_room: unpacker.each(|unpacker| {
