@@ -9,7 +9,7 @@ pub(crate) const SAVE_AS: Words = words("名前をつけて保存…", "Save as�
 pub(crate) const PICTURE: Words = words("写真を撮る…", "Take a picture…");
 pub(crate) const BROWSE: Words = words("パソコンのファイル選択で探す…", "The system’s own window…");
 pub(crate) const TIMELINE_HOW: Words = words(
-    "帯を左右に引くと順番が変わり、押すとその所が下に出ます。",
+    "色の札を左右に引くと順番が変わります。押すと、その所が下に出ます。",
     "Drag a block to change the order; click it to see that part below.",
 );
 pub(crate) const REPEAT_PART: Words = words("選んだ所をもう一度", "Repeat the chosen part");
