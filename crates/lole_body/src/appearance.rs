@@ -170,7 +170,7 @@ pub struct BodyPicture {
 }
 
 impl Dancer {
-    /// The picture of [`crate::PartKind::Hair`].
+    /// The picture of [`crate::PartKind::Hair`]; it goes by the colors of skin and hair alone.
     #[must_use]
     pub fn hair_picture(&self) -> BodyPicture {
         hair_paint::hair_texture(&self.appearance)

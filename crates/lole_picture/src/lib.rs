@@ -15,7 +15,7 @@ pub mod studio;
 pub mod taken;
 pub mod vrm;
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::{Vec2, Vec3};
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
@@ -417,12 +417,9 @@ fn finish_material(finish: AdornmentFinish) -> Material {
 /// # Errors
 /// A picture that cannot be a texture.
 pub fn dancer_materials(dancer: &Dancer) -> Result<Vec<(PartKind, Material)>, RenderError> {
-    let texture = |picture: BodyPicture| {
-        Texture::new(picture.side, picture.side, picture.pixels).map(Arc::new)
-    };
     let paint = Paint {
         appearance: &dancer.appearance,
-        hair: texture(dancer.hair_picture())?,
+        hair: painted_hair(dancer)?,
     };
     let drawn = dancer.drawn();
     let parts = drawn.parts.iter().enumerate().map(|(place, part)| {
@@ -433,6 +430,27 @@ pub fn dancer_materials(dancer: &Dancer) -> Result<Vec<(PartKind, Material)>, Re
         Ok((part.kind, material))
     });
     parts.collect()
+}
+
+/// Pictures of hair that are kept, five megabytes each.
+const KEPT_HAIR: usize = 4;
+
+/// The picture of her hair; painted once for all who have the same colors, because it takes longer than a dancer's
+/// place in a small picture.
+fn painted_hair(dancer: &Dancer) -> Result<Arc<Texture>, RenderError> {
+    type Colors = [[u8; 3]; 2];
+    static KEPT: Mutex<Vec<(Colors, Arc<Texture>)>> = Mutex::new(Vec::new());
+    let colors = [dancer.appearance.skin_srgb, dancer.appearance.hair_srgb];
+    let kept = || KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, hair)) = kept().iter().find(|(of, _)| *of == colors) {
+        return Ok(Arc::clone(hair));
+    }
+    let BodyPicture { side, pixels } = dancer.hair_picture();
+    let hair = Arc::new(Texture::new(side, side, pixels)?);
+    let mut kept = kept();
+    kept.truncate(KEPT_HAIR - 1);
+    kept.insert(0, (colors, Arc::clone(&hair)));
+    Ok(hair)
 }
 
 /// The colors and pictures on the body.
@@ -522,4 +540,28 @@ pub(crate) fn nail_color(look: &Appearance) -> [f32; 3] {
 #[must_use]
 pub fn linear(srgb: [u8; 3]) -> [f32; 3] {
     srgb.map(|byte| linear_from_srgb(f32::from(byte) / 255.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use lole_body::Measurements;
+
+    use super::*;
+
+    /// Hair of equal colors is one picture, and of others is painted as it is.
+    #[test]
+    fn hair_is_painted_once_for_equal_colors() {
+        let mut dancer =
+            Dancer::to_measure(&Measurements::woman(), &Appearance::default()).unwrap();
+        let first = painted_hair(&dancer).unwrap();
+        assert!(Arc::ptr_eq(&first, &painted_hair(&dancer).unwrap()));
+        for gray in 1..=u8::try_from(KEPT_HAIR).unwrap() {
+            dancer.appearance.hair_srgb = [40 * gray; 3];
+            let BodyPicture { side, pixels } = dancer.hair_picture();
+            let expected = Texture::new(side, side, pixels).unwrap();
+            assert_eq!(*painted_hair(&dancer).unwrap(), expected);
+        }
+        dancer.appearance = Appearance::default();
+        assert_eq!(painted_hair(&dancer).unwrap(), first);
+    }
 }

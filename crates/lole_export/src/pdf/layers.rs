@@ -31,8 +31,8 @@ pub struct LayeredSheet {
 
 impl LayeredSheet {
     /// The page with everything on it.
-    #[must_use]
-    pub fn flat(&self) -> Sheet {
+    #[cfg(test)]
+    pub(crate) fn flat(&self) -> Sheet {
         let mut sheet = self.base.clone();
         let layers = self.layers.iter();
         sheet
