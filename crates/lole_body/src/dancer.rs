@@ -97,7 +97,7 @@ impl Dancer {
     }
 
     /// As [`Dancer::with_appearance`], but without a face and without capsules: whoever measures her and drafts for
-    /// her needs neither, and both take a third of the time.
+    /// her needs neither, and both take a quarter of the time.
     ///
     /// # Errors
     /// As [`Dancer::new`].

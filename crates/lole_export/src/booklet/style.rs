@@ -1,6 +1,9 @@
 //! How pages that people read look: heads, rules, numbers, the foot.
 
-use crate::pdf::{Align, Color, Flow, PageTable, Sheet, Stroke, TextStyle};
+use lole_language::Language;
+
+use crate::canvas::Canvas;
+use crate::pdf::{Align, Color, Flow, PageTable, Rect, Sheet, Stroke, TextStyle};
 
 /// Heads and what is brought out: the green of ti leaves.
 pub(crate) const ACCENT: Color = Color(20, 98, 90);
@@ -39,6 +42,54 @@ fn head_above(flow: &mut Flow, text: &str, room: f64) {
 pub(crate) fn subhead(flow: &mut Flow, text: &str) {
     flow.keep(24.0);
     flow.paragraph(text, &TextStyle::bold(14.5));
+}
+
+/// Room between a drawing and its words, and below both [mm].
+const GAP: f64 = 6.0;
+
+/// A drawing with words beside it.
+pub(crate) struct Illustrated<'a> {
+    pub(crate) title: &'a str,
+    pub(crate) words: &'a str,
+    /// Size of the drawing [mm].
+    pub(crate) drawing: [f64; 2],
+    /// Lines below the words that are kept free.
+    pub(crate) free_lines: f64,
+}
+
+impl Illustrated<'_> {
+    /// Draws it; `fill` has the page and the upper left corner of what was kept free.
+    pub(crate) fn draw(
+        &self,
+        flow: &mut Flow,
+        language: Language,
+        (picture, fill): (
+            impl FnOnce(&mut Canvas<'_>),
+            impl FnOnce(&mut Sheet, [f64; 2]),
+        ),
+    ) {
+        let (title, style) = (TextStyle::bold(13.5), TextStyle::body());
+        let [width, height] = self.drawing;
+        let beside = flow.width() - width - GAP;
+        let lines = style.wrap(self.words, beside).len() as f64 + self.free_lines;
+        let high = title.line_height() + style.line_height() * lines + 2.0;
+        flow.drawing(high.max(height) + GAP, language, |canvas| {
+            let rect = canvas.rect;
+            let place = Rect {
+                width,
+                height,
+                ..rect
+            };
+            picture(&mut canvas.at(place));
+            let left = rect.x + width + GAP;
+            let top = rect.y + title.line_height();
+            let sheet = &mut canvas.sheet;
+            sheet.text([left, top - 1.2], self.title, &title, Align::Left);
+            let top = top + 0.8;
+            let said = sheet.paragraph([left, top], beside, self.words, &style);
+            fill(sheet, [left, top + said]);
+        });
+    }
 }
 
 /// A line below a head.

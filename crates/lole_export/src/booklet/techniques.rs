@@ -9,14 +9,12 @@ use lole_language::{Language, Words, words};
 use lole_pattern::pattern::Step;
 
 use super::keep;
-use super::style::head;
+use super::style::{Illustrated, head};
 use crate::canvas::Canvas;
-use crate::pdf::{Align, Flow, Rect, TextStyle};
+use crate::pdf::Flow;
 
 /// Size of a drawing [mm].
 const DRAWING: [f64; 2] = [62.0, 34.0];
-/// Room between a drawing and its words, and between one technique and the next [mm].
-const GAP: f64 = 6.0;
 
 /// One skill.
 pub(super) struct Technique {
@@ -163,29 +161,13 @@ pub(super) fn draw(flow: &mut Flow, plan: &DancerPlan, language: Language) {
     flow.keep(DRAWING[1] + 22.0);
     head(flow, language.pick("縫い方の基本", "How it is done"));
     for technique in techniques {
-        let (title, style) = (TextStyle::bold(13.5), TextStyle::body());
-        let width = flow.width() - DRAWING[0] - GAP;
-        let lines = style.wrap(technique.how.text(language), width).len();
-        let words = title.line_height() + style.line_height() * lines as f64 + 2.0;
-        flow.drawing(words.max(DRAWING[1]) + GAP, language, |canvas| {
-            let rect = canvas.rect;
-            let place = Rect {
-                width: DRAWING[0],
-                height: DRAWING[1],
-                ..rect
-            };
-            (technique.draw)(&mut canvas.at(place));
-            let left = rect.x + DRAWING[0] + GAP;
-            let top = rect.y + title.line_height();
-            let name = technique.title.text(language);
-            canvas
-                .sheet
-                .text([left, top - 1.2], name, &title, Align::Left);
-            let how = technique.how.text(language);
-            canvas
-                .sheet
-                .paragraph([left, top + 0.8], width, how, &style);
-        });
+        let said = Illustrated {
+            title: technique.title.text(language),
+            words: technique.how.text(language),
+            drawing: DRAWING,
+            free_lines: 0.0,
+        };
+        said.draw(flow, language, (technique.draw, |_, _| {}));
     }
 }
 

@@ -6,14 +6,12 @@ use lole_costume::tailoring::UsedAlteration;
 use lole_language::{Language, Words, words};
 use lole_pattern::Piece;
 
-use super::style::{CLOTH, SEWN, head};
+use super::style::{CLOTH, Illustrated, SEWN, head};
 use crate::canvas::Canvas;
-use crate::pdf::{Align, Flow, Rect, Stroke, TextStyle};
+use crate::pdf::{Align, Flow, Stroke, TextStyle};
 
 /// Size of a drawing [mm].
 const DRAWING: [f64; 2] = [34.0, 40.0];
-/// Room between a drawing and its words, and between one alteration and the next [mm].
-const GAP: f64 = 6.0;
 /// The line on which a number is written [mm].
 const BLANK: f64 = 26.0;
 
@@ -66,39 +64,33 @@ pub(super) fn draw(flow: &mut Flow, alterations: &[UsedAlteration], language: La
 }
 
 fn one(flow: &mut Flow, used: &UsedAlteration, language: Language) {
-    let (title, style) = (TextStyle::bold(13.5), TextStyle::body());
-    let width = flow.width() - DRAWING[0] - GAP;
-    let seen = used.alteration.seen().text(language);
-    let lines = style.wrap(seen, width).len();
-    let words = title.line_height() + style.line_height() * (lines as f64 + 1.4) + 2.0;
-    flow.drawing(words.max(DRAWING[1]) + GAP, language, |canvas| {
-        let rect = canvas.rect;
-        let place = Rect {
-            width: DRAWING[0],
-            height: DRAWING[1],
-            ..rect
-        };
-        overlaid(&mut canvas.at(place), &used.shown);
-        let left = rect.x + DRAWING[0] + GAP;
-        let top = rect.y + title.line_height();
-        let name = used.alteration.name().text(language);
-        let sheet = &mut canvas.sheet;
-        sheet.text([left, top - 1.2], name, &title, Align::Left);
-        sheet.paragraph([left, top + 0.8], width, seen, &style);
-        let y = top + 0.8 + style.line_height() * (lines as f64 + 1.0);
-        let now = if used.cm == 0.0 {
-            language.pick("補正: ", "altered by: ").to_owned()
-        } else {
-            let label = language.pick("いまの補正", "altered by now");
-            let more = language.pick("新しい補正: ", "from now on: ");
-            format!("{label}: {:+.1} cm　{more}", used.cm)
-        };
-        let end = sheet.text([left, y], &now, &style, Align::Left);
-        let from = left + end + 1.0;
-        sheet.line([from, y + 0.8], [from + BLANK, y + 0.8], Stroke::solid(0.3));
-        let unit = [from + BLANK + 1.5, y];
-        sheet.text(unit, "cm", &style, Align::Left);
-    });
+    let said = Illustrated {
+        title: used.alteration.name().text(language),
+        words: used.alteration.seen().text(language),
+        drawing: DRAWING,
+        free_lines: 1.4,
+    };
+    let picture = |canvas: &mut Canvas<'_>| overlaid(canvas, &used.shown);
+    said.draw(
+        flow,
+        language,
+        (picture, |sheet, [left, top]| {
+            let style = TextStyle::body();
+            let y = top + style.line_height();
+            let now = if used.cm == 0.0 {
+                language.pick("補正: ", "altered by: ").to_owned()
+            } else {
+                let label = language.pick("いまの補正", "altered by now");
+                let more = language.pick("新しい補正: ", "from now on: ");
+                format!("{label}: {:+.1} cm　{more}", used.cm)
+            };
+            let end = sheet.text([left, y], &now, &style, Align::Left);
+            let from = left + end + 1.0;
+            sheet.line([from, y + 0.8], [from + BLANK, y + 0.8], Stroke::solid(0.3));
+            let unit = [from + BLANK + 1.5, y];
+            sheet.text(unit, "cm", &style, Align::Left);
+        }),
+    );
 }
 
 /// A piece as it is and altered, at one scale and one place.

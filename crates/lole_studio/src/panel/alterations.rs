@@ -9,7 +9,7 @@ use crate::{Studio, text};
 /// Something that is worn is drafted from her bodice block.
 pub(super) fn is_fitted(studio: &Studio) -> bool {
     let mut garments = studio.design().garments.iter();
-    garments.any(|garment| garment.file.is_none() && garment.template.is_fitted())
+    garments.any(|garment| garment.template.is_fitted())
 }
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
