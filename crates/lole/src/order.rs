@@ -29,7 +29,7 @@ use rayon::prelude::*;
 use crate::args::{BookletArgs, CostArgs, FormArgs, OrderArgs, PageLanguage};
 use crate::output;
 use crate::patience::{check, progress_bar, stop_flag};
-use crate::portrait;
+use crate::portrait::{self, Album, Kept};
 use crate::source::{self, Source};
 use crate::{Failure, summary};
 
@@ -58,22 +58,22 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         bolt_length: args.bolt.map(Length::from_m),
     };
     let mut output = output::create(&args.out).map_err(Failure::Usage)?;
-    let group = cut(&list, &source.design, (&stop, language))?;
+    let album = (!args.no_pictures).then(|| Album::of(&args.out, &stop));
+    let album = album.transpose()?;
+    let (group, kept) = cut(&list, &source.design, (album.as_ref(), &stop, language))?;
     if group.plans.is_empty() {
         return Err(nobody(&group, &args.roster));
     }
     let earlier = std::fs::read_to_string(args.out.join(ORDER_JSON)).unwrap_or_default();
-    let (pictures, kept_files): (_, Vec<String>) = if args.no_pictures {
+    let (pictures, kept_files): (Vec<_>, Vec<_>) = kept.into_iter().map(Option::unzip).unzip();
+    let kept_files: Vec<String> = if args.no_pictures {
         // Pictures of an earlier run stay for a later one.
         let listed = listed_files(&earlier).into_iter();
-        let kept = listed.filter(|name| name.starts_with(PICTURE_FOLDER));
-        (vec![None; group.plans.len()], kept.collect())
+        listed
+            .filter(|name| name.starts_with(PICTURE_FOLDER))
+            .collect()
     } else {
-        let bar = bar_of(group.plans.len(), language.pick("着せる", "dressing"));
-        let kept = portrait::group(&group.designs, &args.out, &stop, &bar)?;
-        bar.finish_and_clear();
-        let (pictures, files): (_, Vec<_>) = kept.into_iter().map(Option::unzip).unzip();
-        (pictures, files.into_iter().flatten().collect())
+        kept_files.into_iter().flatten().collect()
     };
     let parts = OrderParts {
         title: title(&source),
@@ -161,27 +161,39 @@ fn bar_of(count: usize, doing: &'static str) -> ProgressBar {
     progress_bar(u32::try_from(count).unwrap_or(u32::MAX), doing)
 }
 
-/// Cuts the design for every dancer; whoever cannot be cut for is told and left out.
+/// Cuts the design for every dancer and takes the pictures of an album; whoever cannot be cut for is told and left
+/// out.
 fn cut(
     list: &Roster,
     design: &Design,
-    (stop, language): (&AtomicBool, Language),
-) -> Result<Group, Failure> {
-    let bar = bar_of(list.dancers.len(), language.pick("製図", "drafting"));
-    let cut: Result<Vec<_>, Failure> = (list.dancers.par_iter())
-        .map(|dancer| {
+    (album, stop, language): (Option<&Album<'_>>, &AtomicBool, Language),
+) -> Result<(Group, Vec<Option<Kept>>), Failure> {
+    let doing = match album {
+        Some(_) => language.pick("製図と着せつけ", "drafting and dressing"),
+        None => language.pick("製図", "drafting"),
+    };
+    let bar = bar_of(list.dancers.len(), doing);
+    let cut: Result<Vec<_>, Failure> = (list.dancers.par_iter().enumerate())
+        .map(|(place, dancer)| {
             check(stop)?;
-            let plan = order::plan(dancer, design);
+            let own = dancer.design(design);
+            let cut = match album {
+                Some(album) => album.cut(place, (&dancer.name, &own))?,
+                None => (order::plan_design(&dancer.name, &own), None),
+            };
             bar.inc(1);
-            Ok((dancer, plan))
+            Ok((dancer, cut))
         })
         .collect();
     bar.finish_and_clear();
-    let mut group = Group::of(list);
-    for (dancer, plan) in cut? {
+    let (mut group, mut pictures) = (Group::of(list), Vec::new());
+    for (dancer, (plan, picture)) in cut? {
+        if plan.is_ok() {
+            pictures.push(picture);
+        }
         group.add(dancer, design, plan);
     }
-    Ok(group)
+    Ok((group, pictures))
 }
 
 /// The files to tell of: of many patterns the first alone.

@@ -1,17 +1,16 @@
 //! Pictures of dancers who stand in their costume, for paper: one alone, or a group at one scale.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use indicatif::ProgressBar;
 use lole_costume::document::{Design, to_toml};
+use lole_costume::order::{self, DancerPlan, PlanError};
 use lole_export::booklet::Worn;
 use lole_export::order::PICTURE_FOLDER;
 use lole_export::pdf::EncodedPicture;
 use lole_picture::portrait::{self, PortraitError};
 use lole_stage::Production;
-use rayon::prelude::*;
 
 use crate::Failure;
 
@@ -31,50 +30,63 @@ pub(crate) fn worn(design: &Design, stop: &AtomicBool) -> Result<Worn, Failure> 
 /// A dancer's picture and the file that it is kept in, by its path in the order's folder.
 pub(crate) type Kept = (EncodedPicture, String);
 
-/// Every dancer of a group in her costume, all at one scale; `None` where it cannot be put on. They are
-/// kept in the order's folder, so that an order that was stopped goes on.
-///
-/// # Errors
-/// An interruption, or a folder that cannot be written.
-pub(crate) fn group(
-    designs: &[Design],
-    out: &Path,
-    stop: &AtomicBool,
-    bar: &ProgressBar,
-) -> Result<Vec<Option<Kept>>, Failure> {
-    let folder = out.join(PICTURE_FOLDER);
-    fs::create_dir_all(&folder).map_err(Failure::error)?;
-    (designs.par_iter().enumerate())
-        .map(|(index, design)| {
-            let picture = kept(design, index, &folder, stop);
-            bar.inc(1);
-            match picture {
-                Ok(picture) => Ok(Some(picture)),
-                Err(Failure::Interrupted) => Err(Failure::Interrupted),
-                Err(_) => Ok(None),
-            }
-        })
-        .collect()
+/// The pictures of an order, all at one scale: they are kept in its folder, so that an order that was stopped goes
+/// on.
+pub(crate) struct Album<'a> {
+    folder: PathBuf,
+    stop: &'a AtomicBool,
 }
 
-/// The picture of an earlier run of the same design and dancer, or a new one, kept for the next.
-fn kept(design: &Design, index: usize, folder: &Path, stop: &AtomicBool) -> Result<Kept, Failure> {
-    let size = [portrait::STANDING.width, portrait::STANDING.height];
-    let version = env!("CARGO_PKG_VERSION");
-    let key = lole_geom::fnv::hash(format!("{} {version} {size:?}", to_toml(design)).into_bytes());
-    let name = format!("{:03}-{key:016x}.jpg", index + 1);
-    let path = folder.join(&name);
-    let name = format!("{PICTURE_FOLDER}/{name}");
-    if let Some(picture) = fs::read(&path).ok().and_then(portrait::of_jpeg) {
-        return Ok((picture, name));
+impl<'a> Album<'a> {
+    /// That of the order in the folder `out`.
+    ///
+    /// # Errors
+    /// A folder that cannot be written.
+    pub(crate) fn of(out: &Path, stop: &'a AtomicBool) -> Result<Self, Failure> {
+        let folder = out.join(PICTURE_FOLDER);
+        fs::create_dir_all(&folder).map_err(Failure::error)?;
+        Ok(Self { folder, stop })
     }
-    let is_stopped = || stop.load(Ordering::Relaxed);
-    let bytes = portrait::standing(design, &is_stopped).map_err(failure)?;
-    // Whole or not at all: a half picture would be taken for a kept one.
-    lole_files::write_whole(&path, &bytes).map_err(Failure::error)?;
-    let picture = portrait::of_jpeg(bytes);
-    let picture = picture.ok_or_else(|| Failure::error(anyhow::anyhow!("no JPEG")))?;
-    Ok((picture, name))
+
+    /// What is cut for the dancer at a place of the list, and her in her costume; no picture of her who cannot be
+    /// cut for, or cannot be dressed.
+    ///
+    /// # Errors
+    /// An interruption.
+    pub(crate) fn cut(
+        &self,
+        place: usize,
+        (name, design): (&str, &Design),
+    ) -> Result<(Result<DancerPlan, PlanError>, Option<Kept>), Failure> {
+        let size = [portrait::STANDING.width, portrait::STANDING.height];
+        let version = env!("CARGO_PKG_VERSION");
+        let key = format!("{} {version} {size:?}", to_toml(design));
+        let key = lole_geom::fnv::hash(key.into_bytes());
+        let file = format!("{:03}-{key:016x}.jpg", place + 1);
+        let path = self.folder.join(&file);
+        let file = format!("{PICTURE_FOLDER}/{file}");
+        if let Some(picture) = fs::read(&path).ok().and_then(portrait::of_jpeg) {
+            return Ok((order::plan_design(name, design), Some((picture, file))));
+        }
+        // Her body is built once, for what is cut and for the picture.
+        let Ok(dancer) = lole_stage::dancer(design) else {
+            return Ok((order::plan_design(name, design), None));
+        };
+        let plan = order::plan_dancer(name, design, &dancer.0);
+        if plan.is_err() {
+            return Ok((plan, None));
+        }
+        let is_stopped = || self.stop.load(Ordering::Relaxed);
+        let bytes = match portrait::standing_on(design, dancer, &is_stopped) {
+            Ok(bytes) => bytes,
+            Err(PortraitError::CalledOff) => return Err(Failure::Interrupted),
+            Err(_) => return Ok((plan, None)),
+        };
+        // Whole or not at all: a half picture would be taken for a kept one.
+        let written = lole_files::write_whole(&path, &bytes).is_ok();
+        let picture = portrait::of_jpeg(bytes).filter(|_| written);
+        Ok((plan, picture.map(|picture| (picture, file))))
+    }
 }
 
 fn failure(error: PortraitError) -> Failure {

@@ -429,15 +429,29 @@ fn arm_shares(mesh: &HalfMesh, neighbors: &Neighbors, body: &Sections) -> Vec<f3
             }
         })
         .collect();
+    // All but a band around the shoulder is 0 or 1 and stays so: only what is beside a change can change.
+    let mut open: Vec<usize> = (0..shares.len()).collect();
+    let mut is_open = vec![false; shares.len()];
     for _ in 0..PASSES {
-        let before = shares.clone();
-        for (vertex, share) in shares.iter_mut().enumerate() {
-            let around = neighbors.of(vertex);
-            if !around.is_empty() {
-                let sum: f32 = around.iter().map(|&other| before[other as usize]).sum();
-                *share = 0.5 * *share + 0.5 * sum / around.len() as f32;
+        let found = open.iter().map(|&vertex| {
+            let (share, around) = (shares[vertex], neighbors.of(vertex));
+            let sum: f32 = around.iter().map(|&other| shares[other as usize]).sum();
+            0.5 * share + 0.5 * sum / around.len() as f32
+        });
+        let found: Vec<f32> = found.collect();
+        let mut next = Vec::new();
+        for (&vertex, &share) in open.iter().zip(&found) {
+            let around = neighbors.of(vertex).iter().map(|&other| other as usize);
+            if shares[vertex] != share && 0 < around.len() {
+                shares[vertex] = share;
+                let fresh = |it: &usize| !std::mem::replace(&mut is_open[*it], true);
+                next.extend(around.chain([vertex]).filter(fresh));
             }
         }
+        for &vertex in &next {
+            is_open[vertex] = false;
+        }
+        open = next;
     }
     shares
 }

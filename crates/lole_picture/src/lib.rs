@@ -32,6 +32,8 @@ pub use sets::{Lamps, Scenery};
 
 /// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
 const PRINT_SIDE: u32 = 1024;
+/// The same where nothing is seen from near by.
+const PRINT_SIDE_AFAR: u32 = 512;
 
 /// All that is drawn of one production, without the production: whoever shows a moment of it needs nothing else.
 pub struct Looks {
@@ -209,6 +211,18 @@ impl Looks {
     /// # Errors
     /// A picture that was not read or cannot be a texture.
     pub fn new(design: &Design, production: &Production) -> Result<Self, LookError> {
+        Self::with_prints(design, production, PRINT_SIDE)
+    }
+
+    /// The same for a picture in which a repeat of a print is some hundred pixels wide.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(crate) fn from_afar(design: &Design, production: &Production) -> Result<Self, LookError> {
+        Self::with_prints(design, production, PRINT_SIDE_AFAR)
+    }
+
+    fn with_prints(design: &Design, production: &Production, side: u32) -> Result<Self, LookError> {
         let surfaces = production.surfaces();
         let skin = production.dancer.drawn();
         let materials = dancer_materials(&production.dancer)?;
@@ -216,7 +230,7 @@ impl Looks {
         let parts = skin.parts.iter().zip(materials);
         Ok(Self {
             worn: surfaces
-                .map(|surface| cover(design, surface))
+                .map(|surface| cover(design, surface, side))
                 .collect::<Result<_, _>>()?,
             parts: parts
                 .map(|(part, (_, material))| BodyPart {
@@ -320,8 +334,8 @@ impl Looks {
     }
 }
 
-/// How a surface looks: cut from its print, or of what it is made.
-fn cover(design: &Design, surface: WornSurface<'_>) -> Result<Cover, LookError> {
+/// How a surface looks: cut from its print, drawn with so many pixels on a `side`, or of what it is made.
+fn cover(design: &Design, surface: WornSurface<'_>, side: u32) -> Result<Cover, LookError> {
     if let Some(beside) = surface.beside() {
         return Ok(Cover {
             material: finish_material(beside.finish),
@@ -334,7 +348,7 @@ fn cover(design: &Design, surface: WornSurface<'_>) -> Result<Cover, LookError> 
         });
     }
     let (fabric, print) = design.cloth_of(surface.worn().listed());
-    let print = print.image(PRINT_SIDE, fabric.width())?;
+    let print = print.image(side, fabric.width())?;
     let texture = Texture::new(print.width, print.height, print.pixels.clone())?;
     let uvs = match surface {
         WornSurface::Gathered(garment) => {

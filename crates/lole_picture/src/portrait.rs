@@ -1,6 +1,8 @@
 //! Pictures of dancers who stand in their costume, for paper: at rest, all of a group at one scale.
 
 use glam::Vec3;
+use lole_avatar::License;
+use lole_body::Dancer;
 use lole_costume::document::Design;
 use lole_export::ImageView;
 use lole_export::pdf::EncodedPicture;
@@ -29,11 +31,13 @@ const COVER: Size = Size {
 };
 
 /// Particles of cloth that hangs still in a small picture, around and down: more would not be seen.
-const COARSE: [u32; 2] = [224, 32];
+const COARSE: [u32; 2] = [160, 24];
+/// In how many steps of a frame they are moved by the real-time method.
+const COARSE_SUBSTEPS: u32 = 8;
 
 /// Frames in which cloth of a small picture comes to hang: what still sways after them would not be
 /// seen.
-const HANGING_FRAMES: u32 = 60;
+const HANGING_FRAMES: u32 = 48;
 
 /// Quality of the picture as JPEG.
 const QUALITY: u8 = 90;
@@ -67,13 +71,29 @@ pub enum PortraitError {
 /// # Errors
 /// A costume that cannot be put on, or that it was called off.
 pub fn standing(design: &Design, is_stopped: &dyn Fn() -> bool) -> Result<Vec<u8>, PortraitError> {
+    standing_on(design, lole_stage::dancer(design)?, is_stopped)
+}
+
+/// The same of the design's [`lole_stage::dancer`], whom the caller has built to cut for her.
+///
+/// # Errors
+/// As [`standing`].
+pub fn standing_on(
+    design: &Design,
+    dancer: (Dancer, Option<License>),
+    is_stopped: &dyn Fn() -> bool,
+) -> Result<Vec<u8>, PortraitError> {
     let mut coarse = design.clone();
     coarse.skirt.column_count = coarse.skirt.column_count.min(COARSE[0]);
     coarse.skirt.row_count = coarse.skirt.row_count.min(COARSE[1]);
-    let production = Production::divided(&coarse, Division::Half)?;
+    let method = &mut coarse.method;
+    if method.name.integrator().is_none() {
+        method.substep_count = method.substep_count.or(Some(COARSE_SUBSTEPS));
+    }
+    let production = Production::divided_on(&coarse, dancer, Division::Half)?;
     let performance = stand(production, HANGING_FRAMES, is_stopped)?;
     // In a picture of five centimeters nobody sees a corner.
-    let looks = paper_looks(&performance, Looks::new)?;
+    let looks = paper_looks(&performance, Looks::from_afar)?;
     let moment = Moment::still(&performance);
     let image = shoot((&looks, &moment), standing_camera(STANDING), STANDING)?;
     let image = ImageView::new(image.width, image.height, &image.pixels)?;

@@ -151,7 +151,18 @@ impl Production {
     /// # Errors
     /// A design whose parts do not fit together.
     pub fn divided(design: &Design, division: Division) -> Result<Self, StageError> {
-        let (dancer, license) = dancer(design)?;
+        Self::divided_on(design, dancer(design)?, division)
+    }
+
+    /// The same for the design's [`dancer`] of the caller's, who has built her for something else before.
+    ///
+    /// # Errors
+    /// As [`Self::divided`].
+    pub fn divided_on(
+        design: &Design,
+        (dancer, license): (Dancer, Option<License>),
+        division: Division,
+    ) -> Result<Self, StageError> {
         let dance = Danced::new(design, &dancer)?;
         let production = Self::sewn(design, (dancer, dance), division)?;
         Ok(Self {

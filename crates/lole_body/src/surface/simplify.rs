@@ -9,6 +9,7 @@ use std::collections::BinaryHeap;
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
+use smallvec::SmallVec;
 
 use super::half::is_on_plane;
 
@@ -27,6 +28,8 @@ const LINE_WEIGHT: f64 = 4.0;
 const SWEEP_UNTIL: usize = 2;
 /// Most vertices have fewer triangles around them than this.
 const FAN_ROOM: usize = 8;
+/// Cost of a cheapest collapse that is to be looked for anew.
+const STALE: f64 = -1.0;
 const SWEEP_START: f64 = 2.0e-14;
 const SWEEP_GROWTH: f64 = 3.0;
 const SWEEP_END: f64 = 1.0e-6;
@@ -119,24 +122,38 @@ impl TriangleShape {
     }
 }
 
-struct Collapser {
-    points: Vec<DVec3>,
-    on_plane: Vec<bool>,
-    quadrics: Vec<Quadric>,
+/// One vertex, in two lines of the cache: what a collapse costs is asked of neighbors again and again.
+#[derive(Debug, Clone, Default)]
+#[repr(align(64))]
+struct Vertex {
+    point: DVec3,
+    quadric: Quadric,
+    /// Goes up with every change.
+    version: u32,
+    on_plane: bool,
     /// On a line between regions.
-    on_line: Vec<bool>,
+    on_line: bool,
     /// Where a line ends or meets another or the mirror plane: never moved.
-    locked: Vec<bool>,
+    is_locked: bool,
+}
+
+struct Collapser {
+    vertices: Vec<Vertex>,
     triangles: Vec<[u32; 3]>,
     regions: Vec<u8>,
     alive: Vec<bool>,
     count: usize,
-    fans: Vec<Vec<u32>>,
-    versions: Vec<u32>,
+    fans: Vec<SmallVec<[u32; FAN_ROOM]>>,
     heap: BinaryHeap<Collapse>,
-    /// Cost of the cheapest collapse of each vertex when a sweep last looked; negative once it or
-    /// its surroundings have changed.
-    cheapest: Vec<f64>,
+    /// The cheapest collapse of each vertex and where it goes; [`STALE`] until it is looked for.
+    cheapest: Vec<(f64, u32)>,
+}
+
+/// Room for vertices around a vertex, used again and again.
+#[derive(Default)]
+struct Rings {
+    from: Vec<u32>,
+    onto: Vec<u32>,
 }
 
 /// What is simplified: equal-length vertex columns and triangles with their region.
@@ -160,20 +177,21 @@ pub(crate) fn simplify(fine: &Fine<'_>, target: usize) -> Vec<([u32; 3], u8)> {
         threshold *= SWEEP_GROWTH;
     }
     collapser.fill_heap();
+    let mut rings = Rings::default();
     while collapser.count > target {
         let Some(Collapse { ends, versions, .. }) = collapser.heap.pop() else {
             break;
         };
-        if ends.map(|end| collapser.versions[end as usize]) != versions {
+        if ends.map(|end| collapser.vertices[end as usize].version) != versions {
             continue;
         }
         let [from, onto] = ends;
-        if collapser.is_allowed(from, onto) {
+        if collapser.is_allowed(from, onto, &mut rings) {
             collapser.apply(from, onto);
-            collapser.propose_around(onto);
-        } else if collapser.is_allowed(onto, from) {
+            collapser.propose_around(onto, &mut rings.onto);
+        } else if collapser.is_allowed(onto, from, &mut rings) {
             collapser.apply(onto, from);
-            collapser.propose_around(from);
+            collapser.propose_around(from, &mut rings.onto);
         }
     }
     (0..fine.triangles.len())
@@ -182,35 +200,32 @@ pub(crate) fn simplify(fine: &Fine<'_>, target: usize) -> Vec<([u32; 3], u8)> {
         .collect()
 }
 
+/// The cheaper of two collapses of a vertex comes first; ties go to the lower index.
+fn cheaper(a: &(f64, u32), b: &(f64, u32)) -> Ordering {
+    a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
+}
+
 impl Collapser {
     fn new(fine: &Fine<'_>) -> Self {
-        let points: Vec<DVec3> = fine
-            .positions
-            .iter()
-            .map(|point| point.as_dvec3())
-            .collect();
-        let count = points.len();
+        let vertices = fine.positions.iter().map(|point| Vertex {
+            point: point.as_dvec3(),
+            on_plane: is_on_plane(*point),
+            ..Vertex::default()
+        });
+        let vertices: Vec<Vertex> = vertices.collect();
+        let count = vertices.len();
         let mut collapser = Self {
-            on_plane: fine
-                .positions
-                .iter()
-                .map(|&point| is_on_plane(point))
-                .collect(),
-            points,
-            quadrics: vec![Quadric::default(); count],
-            on_line: vec![false; count],
-            locked: vec![false; count],
+            vertices,
             triangles: fine.triangles.to_vec(),
             regions: fine.regions.to_vec(),
             alive: vec![true; fine.triangles.len()],
             count: fine.triangles.len(),
-            fans: (0..count).map(|_| Vec::with_capacity(FAN_ROOM)).collect(),
-            versions: vec![0; count],
+            fans: vec![SmallVec::new(); count],
             heap: BinaryHeap::new(),
-            cheapest: vec![-1.0; count],
+            cheapest: vec![(STALE, u32::MAX); count],
         };
         for (index, triangle) in fine.triangles.iter().enumerate() {
-            let [a, b, c] = triangle.map(|vertex| collapser.points[vertex as usize]);
+            let [a, b, c] = triangle.map(|vertex| collapser.vertices[vertex as usize].point);
             let cross = (b - a).cross(c - a);
             let area = cross.length();
             let normal = cross.normalize_or_zero();
@@ -218,11 +233,15 @@ impl Collapser {
             for &vertex in triangle {
                 let vertex = vertex as usize;
                 let weight = area * f64::from(fine.detail[vertex]);
-                collapser.quadrics[vertex].add(&Quadric::plane(normal, a, weight));
-                if collapser.on_plane[vertex] {
+                collapser.vertices[vertex]
+                    .quadric
+                    .add(&Quadric::plane(normal, a, weight));
+                if collapser.vertices[vertex].on_plane {
                     // The unseen half passes through the same border.
-                    let point = collapser.points[vertex];
-                    collapser.quadrics[vertex].add(&Quadric::plane(mirrored, point, weight));
+                    let point = collapser.vertices[vertex].point;
+                    collapser.vertices[vertex]
+                        .quadric
+                        .add(&Quadric::plane(mirrored, point, weight));
                 }
                 collapser.fans[vertex].push(u32::try_from(index).unwrap_or(u32::MAX));
             }
@@ -233,29 +252,43 @@ impl Collapser {
 
     /// Finds the lines between regions and gives their vertices a plane across the surface.
     fn mark_lines(&mut self) {
-        let mut degrees = vec![0_u8; self.points.len()];
+        let mut degrees = vec![0_u8; self.vertices.len()];
+        let between: Vec<bool> = (self.fans.iter())
+            .map(|fan| {
+                let mut regions = fan.iter().map(|&it| self.regions[it as usize]);
+                let first = regions.next();
+                regions.any(|region| Some(region) != first)
+            })
+            .collect();
         for index in 0..self.triangles.len() {
             let corners = self.triangles[index];
-            let [a, b, c] = corners.map(|corner| self.points[corner as usize]);
+            let ends = corners.iter().filter(|&&it| between[it as usize]);
+            if ends.count() < 2 {
+                continue;
+            }
+            let [a, b, c] = corners.map(|corner| self.vertices[corner as usize].point);
             let normal = (b - a).cross(c - a).normalize_or_zero();
             for side in 0..3 {
                 let ends = [corners[side], corners[(side + 1) % 3]];
                 if !self.is_line(ends[0], ends[1]) {
                     continue;
                 }
-                let [from, to] = ends.map(|end| self.points[end as usize]);
+                let [from, to] = ends.map(|end| self.vertices[end as usize].point);
                 let across = (to - from).cross(normal).normalize_or_zero();
                 let weight = LINE_WEIGHT * (to - from).length_squared();
                 for end in ends {
-                    self.quadrics[end as usize].add(&Quadric::plane(across, from, weight));
-                    self.on_line[end as usize] = true;
+                    let end_vertex = &mut self.vertices[end as usize];
+                    end_vertex
+                        .quadric
+                        .add(&Quadric::plane(across, from, weight));
+                    end_vertex.on_line = true;
                     degrees[end as usize] += 1;
                 }
             }
         }
         // Every line edge is met from both its triangles.
-        for (vertex, &degree) in degrees.iter().enumerate() {
-            self.locked[vertex] = self.on_line[vertex] && (degree != 4 || self.on_plane[vertex]);
+        for (vertex, &degree) in self.vertices.iter_mut().zip(&degrees) {
+            vertex.is_locked = vertex.on_line && (degree != 4 || vertex.on_plane);
         }
     }
 
@@ -272,23 +305,36 @@ impl Collapser {
 
     /// Collapses each vertex onto its cheapest neighbor where that costs less than `threshold`.
     fn sweep(&mut self, threshold: f64) {
-        let mut ring = Vec::new();
-        for from in 0..self.points.len() {
-            if self.fans[from].is_empty() || threshold <= self.cheapest[from] {
+        let mut rings = Rings::default();
+        for from in 0..self.vertices.len() {
+            if self.fans[from].is_empty() || threshold <= self.cheapest[from].0 {
                 continue;
             }
-            let from = u32::try_from(from).unwrap_or(u32::MAX);
-            let best = self.cheapest_from(from, &mut ring);
-            self.cheapest[from as usize] = best.map_or(f64::INFINITY, |(cost, _)| cost);
-            if let Some((_, onto)) = best
-                && self.cheapest[from as usize] < threshold
-                && self.is_allowed(from, onto)
-            {
-                self.apply(from, onto);
-                self.ring_into(onto, &mut ring);
-                self.cheapest[onto as usize] = -1.0;
-                for &other in &ring {
-                    self.cheapest[other as usize] = -1.0;
+            let name = u32::try_from(from).unwrap_or(u32::MAX);
+            if self.cheapest[from].0 < 0.0 {
+                self.cheapest[from] = self.cheapest_from(name, &mut rings.from);
+            }
+            let (cost, onto) = self.cheapest[from];
+            if cost < threshold && self.is_allowed(name, onto, &mut rings) {
+                self.apply(name, onto);
+                self.look_around(name, onto, &mut rings.onto);
+            }
+        }
+    }
+
+    /// After `from` has gone onto `onto`: around it nothing else has changed, so that a cheapest collapse that went
+    /// to neither of them is still the cheapest or dearer than the one onto `onto`.
+    fn look_around(&mut self, from: u32, onto: u32, ring: &mut Vec<u32>) {
+        self.ring_into(onto, ring);
+        self.cheapest[onto as usize].0 = STALE;
+        for &other in &*ring {
+            let (cost, goal) = self.cheapest[other as usize];
+            if goal == from || goal == onto {
+                self.cheapest[other as usize].0 = STALE;
+            } else if 0.0 <= cost {
+                let now = (self.cost(other, onto), onto);
+                if cheaper(&now, &(cost, goal)).is_lt() {
+                    self.cheapest[other as usize] = now;
                 }
             }
         }
@@ -308,21 +354,23 @@ impl Collapser {
 
     /// Both ends on the mirror plane; such edges are border edges, kept so by `is_allowed`.
     fn is_border(&self, a: u32, b: u32) -> bool {
-        self.on_plane[a as usize] && self.on_plane[b as usize]
+        self.vertices[a as usize].on_plane && self.vertices[b as usize].on_plane
     }
 
     /// Cost of moving `from` onto `onto`; infinite where a rule forbids it outright.
     fn cost(&self, from: u32, onto: u32) -> f64 {
         let (f, o) = (from as usize, onto as usize);
-        let leaves_plane = self.on_plane[f] && !self.on_plane[o];
-        let leaves_line = self.on_line[f] && !self.on_line[o];
-        if self.locked[f] || leaves_plane || leaves_line {
+        let leaves_plane = self.vertices[f].on_plane && !self.vertices[o].on_plane;
+        let leaves_line = self.vertices[f].on_line && !self.vertices[o].on_line;
+        if self.vertices[f].is_locked || leaves_plane || leaves_line {
             return f64::INFINITY;
         }
-        let mut quadric = self.quadrics[f];
-        quadric.add(&self.quadrics[o]);
-        let squared = self.points[f].distance_squared(self.points[o]);
-        quadric.at(self.points[o]).max(0.0) + LENGTH_WEIGHT * squared * squared
+        let mut quadric = self.vertices[f].quadric;
+        quadric.add(&self.vertices[o].quadric);
+        let squared = self.vertices[f]
+            .point
+            .distance_squared(self.vertices[o].point);
+        quadric.at(self.vertices[o].point).max(0.0) + LENGTH_WEIGHT * squared * squared
     }
 
     /// The cheaper of the edge's two collapses.
@@ -333,14 +381,13 @@ impl Collapser {
         cost.is_finite().then(|| Collapse {
             cost,
             ends,
-            versions: ends.map(|end| self.versions[end as usize]),
+            versions: ends.map(|end| self.vertices[end as usize].version),
         })
     }
 
-    fn propose_around(&mut self, vertex: u32) {
-        let mut ring = Vec::new();
-        self.ring_into(vertex, &mut ring);
-        for other in ring {
+    fn propose_around(&mut self, vertex: u32, ring: &mut Vec<u32>) {
+        self.ring_into(vertex, ring);
+        for &other in &*ring {
             if let Some(collapse) = self.best(vertex.min(other), vertex.max(other)) {
                 self.heap.push(collapse);
             }
@@ -363,7 +410,7 @@ impl Collapser {
             }
         };
         ring.extend(fan.iter().map(|&triangle| turned(triangle)[0]));
-        if self.on_plane[vertex as usize] {
+        if self.vertices[vertex as usize].on_plane {
             for &triangle in fan {
                 let last = turned(triangle)[1];
                 if !ring.contains(&last) {
@@ -373,45 +420,44 @@ impl Collapser {
         }
     }
 
-    /// The cheapest collapse of `from` and its cost; ties go to the lower index.
-    fn cheapest_from(&self, from: u32, ring: &mut Vec<u32>) -> Option<(f64, u32)> {
+    /// Cost of the cheapest collapse of `from` and where it goes; infinite where there is none.
+    fn cheapest_from(&self, from: u32, ring: &mut Vec<u32>) -> (f64, u32) {
         self.ring_into(from, ring);
-        (ring.iter().map(|&onto| (self.cost(from, onto), onto)))
-            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+        let costs = ring.iter().map(|&onto| (self.cost(from, onto), onto));
+        costs.min_by(cheaper).unwrap_or((f64::INFINITY, u32::MAX))
     }
 
     /// Looks at every vertex on all threads, so that the first sweep need not.
     fn find_cheapest(&mut self) {
-        self.cheapest = (0..self.points.len())
+        self.cheapest = (0..self.vertices.len())
             .into_par_iter()
             .map_init(Vec::new, |ring, from| {
-                let from = u32::try_from(from).unwrap_or(u32::MAX);
-                (self.cheapest_from(from, ring)).map_or(f64::INFINITY, |(cost, _)| cost)
+                self.cheapest_from(u32::try_from(from).unwrap_or(u32::MAX), ring)
             })
             .collect();
     }
 
-    fn is_around(&self, vertex: u32, other: u32) -> bool {
-        (self.fans[vertex as usize].iter())
-            .any(|&triangle| self.triangles[triangle as usize].contains(&other))
-    }
-
     /// The link condition, the border rules, and no flipped, thin or huge triangle.
-    fn is_allowed(&self, from: u32, onto: u32) -> bool {
+    fn is_allowed(&self, from: u32, onto: u32, rings: &mut Rings) -> bool {
         let (f, o) = (from as usize, onto as usize);
-        if !self.cost(from, onto).is_finite() || (self.on_line[f] && !self.is_line(from, onto)) {
+        if !self.cost(from, onto).is_finite()
+            || (self.vertices[f].on_line && !self.is_line(from, onto))
+        {
             return false;
         }
-        let mut ring = Vec::new();
-        self.ring_into(from, &mut ring);
+        self.ring_into(from, &mut rings.from);
+        self.ring_into(onto, &mut rings.onto);
         let mut common = 0;
-        for &other in &ring {
+        for &other in &rings.from {
             if other == onto {
                 continue;
             }
-            if self.is_around(onto, other) {
+            if rings.onto.contains(&other) {
                 common += 1;
-            } else if self.on_plane[o] && self.on_plane[other as usize] && !self.on_plane[f] {
+            } else if self.vertices[o].on_plane
+                && self.vertices[other as usize].on_plane
+                && !self.vertices[f].on_plane
+            {
                 return false;
             }
         }
@@ -425,7 +471,10 @@ impl Collapser {
             return true;
         }
         let moved = corners.map(|corner| if corner == from { onto } else { corner });
-        if moved.iter().all(|&corner| self.on_plane[corner as usize]) {
+        if moved
+            .iter()
+            .all(|&corner| self.vertices[corner as usize].on_plane)
+        {
             return false;
         }
         let [before, after] = [corners, moved].map(|corners| self.shape(corners));
@@ -435,7 +484,7 @@ impl Collapser {
     }
 
     fn shape(&self, corners: [u32; 3]) -> TriangleShape {
-        let [a, b, c] = corners.map(|corner| self.points[corner as usize]);
+        let [a, b, c] = corners.map(|corner| self.vertices[corner as usize].point);
         let cross = (b - a).cross(c - a);
         let sides = [
             a.distance_squared(b),
@@ -457,7 +506,7 @@ impl Collapser {
                 self.alive[triangle as usize] = false;
                 self.count -= 1;
                 for corner in corners {
-                    self.fans[corner as usize].retain(|&other| other != triangle);
+                    self.fans[corner as usize].retain(|other| *other != triangle);
                 }
             } else {
                 self.triangles[triangle as usize] =
@@ -465,9 +514,9 @@ impl Collapser {
                 self.fans[o].push(triangle);
             }
         }
-        let quadric = self.quadrics[f];
-        self.quadrics[o].add(&quadric);
-        self.versions[f] += 1;
-        self.versions[o] += 1;
+        let quadric = self.vertices[f].quadric;
+        self.vertices[o].quadric.add(&quadric);
+        self.vertices[f].version += 1;
+        self.vertices[o].version += 1;
     }
 }
