@@ -476,6 +476,9 @@ impl Drop for App {
     }
 }
 
+/// A picture that took longer does not make what is seen again leap [s].
+const LONGEST_PICTURE: f64 = 0.5;
+
 impl eframe::App for App {
     fn logic(&mut self, _context: &Context, _frame: &mut eframe::Frame) {
         self.receive();
@@ -489,6 +492,10 @@ impl eframe::App for App {
         }
         self.open_dropped();
         self.follow_keys();
+        let seconds = f64::from(self.context.input(|input| input.stable_dt));
+        if self.studio.replay_on(seconds.min(LONGEST_PICTURE)) {
+            self.context.request_repaint();
+        }
         let Self {
             studio, viewport, ..
         } = self;

@@ -1,5 +1,6 @@
 //! The panels, a file each; these tables say where they stand.
 
+mod again;
 mod alterations;
 mod body;
 #[cfg(test)]

@@ -20,11 +20,11 @@ mod zip;
 
 #[cfg(target_arch = "wasm32")]
 pub(crate) use page::{
-    Asking, HAS_FOLDERS, Keeping, Light, Maker, OrderWork, Sewing, Sim, Tailor, cores, film,
-    group_film, note, pool, products, reveal, take_dropped,
+    Asking, HAS_FOLDERS, Keeping, Light, Maker, OrderWork, Sewing, Sim, TAKE_BYTES, Tailor, cores,
+    film, group_film, note, pool, products, reveal, take_dropped,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use window::{
-    Asking, HAS_FOLDERS, Keeping, Light, Maker, OrderWork, Sewing, Sim, Tailor, cores, film,
-    group_film, note, pool, products, reveal, take_dropped,
+    Asking, HAS_FOLDERS, Keeping, Light, Maker, OrderWork, Sewing, Sim, TAKE_BYTES, Tailor, cores,
+    film, group_film, note, pool, products, reveal, take_dropped,
 };

@@ -20,6 +20,8 @@ use crate::orbit::Orbit;
 use crate::ordering::OrderDesk;
 use crate::panel::{ClipShelf, ClothTextures, PhotoDesk, SwatchForm};
 use crate::paper::{Cutting, PaperDesign};
+use crate::replay::Replay;
+use crate::take::Take;
 use crate::undo::Undo;
 use crate::wished::Wished;
 use crate::work::Work;
@@ -160,8 +162,14 @@ pub struct Studio {
     pub wanted_view: Option<View>,
     /// The last seconds in numbers.
     pub history: History,
-    /// The newest moment.
+    /// The moment that is shown.
     pub snapshot: Option<Arc<Snapshot>>,
+    /// What was danced, to be seen again.
+    pub take: Take,
+    /// What is seen again; `None` while the show is seen.
+    pub replay: Option<Replay>,
+    /// From where to where it is seen over and over [s]; all of it where nothing was chosen.
+    pub phrase: [Option<f32>; 2],
     /// Where and when the cloth flew apart.
     pub stopped: Option<Divergence>,
     /// Whether a skirt is being sewn.
@@ -231,6 +239,9 @@ impl Studio {
             wanted_view: Some(View::Front),
             history: History::default(),
             snapshot: None,
+            take: Take::default(),
+            replay: None,
+            phrase: [None; 2],
             stopped: None,
             sews: true,
             message: None,
@@ -268,6 +279,9 @@ impl Studio {
         }
         Self {
             snapshot: None,
+            take: Take::default(),
+            replay: None,
+            phrase: [None; 2],
             stopped: None,
             history: History::default(),
             plays: true,
@@ -539,38 +553,6 @@ impl Studio {
         self.files = work.files;
         self.starts = false;
         self.go_to(work.present);
-    }
-
-    /// Takes in a new moment of the show.
-    pub fn receive(&mut self, snapshot: Arc<Snapshot>) {
-        for sample in &snapshot.samples {
-            self.history.push(*sample);
-        }
-        self.stopped = snapshot.stopped;
-        self.snapshot = Some(snapshot);
-    }
-
-    /// Dances on or stands still.
-    pub fn toggle_playing(&mut self) {
-        self.plays = !self.plays;
-        self.command(if self.plays {
-            Command::Play
-        } else {
-            Command::Pause
-        });
-    }
-
-    /// One frame, then still.
-    pub fn step(&mut self) {
-        self.plays = false;
-        self.command(Command::Step);
-    }
-
-    /// From the beginning.
-    pub fn reset(&mut self) {
-        self.plays = true;
-        self.command(Command::Reset);
-        self.command(Command::Play);
     }
 
     /// Changes what is drawn over the picture.

@@ -50,6 +50,14 @@ pub(crate) const PLAY: Words = words("踊る", "Play");
 pub(crate) const PAUSE: Words = words("止める", "Pause");
 pub(crate) const STEP: Words = words("1コマずつ", "One frame");
 pub(crate) const RESET: Words = words("最初から", "From the start");
+pub(crate) const SEE_AGAIN: Words = words("見直す", "See again");
+pub(crate) const SEE_PART_AGAIN: Words = words("この所を見直す", "See the chosen part again");
+pub(crate) const FRAME_BEFORE: Words = words("1コマ前", "One frame back");
+pub(crate) const FRAME_AFTER: Words = words("1コマ先", "One frame on");
+pub(crate) const PHRASE_FROM: Words = words("ここから", "From here");
+pub(crate) const PHRASE_TO: Words = words("ここまで", "To here");
+pub(crate) const PHRASE_ALL: Words = words("全部", "All of it");
+pub(crate) const DANCE_ON: Words = words("踊りに戻る", "Back to the dance");
 pub(crate) const SPEED: Words = words("速さ", "Speed");
 pub(crate) const PACE: Words = words("踊りの速さ", "Pace of the dance");
 

@@ -90,6 +90,8 @@ struct Hold {
 #[derive(Clone, PartialEq)]
 struct Drawn {
     snapshot: *const Snapshot,
+    /// Another moment may lie where one was.
+    time: f32,
     orbit: Orbit,
     scenery: Scenery,
     size: (u32, u32),
@@ -148,7 +150,7 @@ impl Viewport {
         self.follow_pointer(ui, studio, area, &response);
         let Some(gpu) = gpu else { return };
         self.is_software = gpu.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-        let moves = studio.plays || ui.input(|input| input.pointer.any_down());
+        let moves = studio.moves() || ui.input(|input| input.pointer.any_down());
         self.quality = if self.is_software && moves {
             Quality::Quick
         } else {
@@ -232,6 +234,7 @@ impl Viewport {
         let is_taken = response.drag_started_by(PointerButton::Primary) && !shift;
         if is_taken
             && studio.tool == Tool::Hold
+            && studio.replay.is_none()
             && let Some(snapshot) = &studio.snapshot
         {
             self.take_hold(ui, &self.standing(&orbit), snapshot, area);
@@ -316,6 +319,7 @@ impl Viewport {
         });
         let drawn = Drawn {
             snapshot: Arc::as_ptr(snapshot),
+            time: snapshot.time,
             orbit,
             scenery,
             size: (size.width, size.height),

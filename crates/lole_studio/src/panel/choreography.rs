@@ -42,6 +42,9 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let dancing = dancing_part(studio).map(|part| part.index);
     let timeline = timeline::show(ui, studio, &parts);
     let mut edit = timeline.edit;
+    if let Some(part) = timeline.again {
+        studio.see_part(part);
+    }
     for index in 0..parts.len() {
         let fill = if dancing == Some(index) {
             look::PALE_RED

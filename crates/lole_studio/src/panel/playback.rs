@@ -3,6 +3,7 @@
 
 use eframe::egui::{self, ComboBox, RichText, Ui};
 
+use super::again;
 use super::knob::loose_choice;
 use crate::orbit::VIEWS;
 use crate::studio::Tool;
@@ -14,6 +15,7 @@ const SPEEDS: [(f64, &str); 4] = [(1.0, "×1"), (0.5, "×½"), (0.25, "×¼"), (
 const ROOMY: f32 = 440.0;
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    again::show(ui, studio);
     let is_roomy = ROOMY <= ui.available_width();
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(5.0, 5.0);
@@ -31,7 +33,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
 }
 
 fn play(ui: &mut Ui, studio: &mut Studio) {
-    let name = studio.say(if studio.plays {
+    let name = studio.say(if studio.moves() {
         text::PAUSE
     } else {
         text::PLAY

@@ -37,6 +37,8 @@ pub(super) struct Timeline {
     pub(super) edit: Option<Edit>,
     /// The part whose settings are to be seen.
     pub(super) looked_at: Option<usize>,
+    /// The part that is to be seen again as it was danced.
+    pub(super) again: Option<usize>,
 }
 
 /// Shows the band, and what is done with the part that was chosen on it.
@@ -77,6 +79,11 @@ pub(super) fn show(ui: &mut Ui, studio: &Studio, parts: &[PartDesign]) -> Timeli
         }
         if ui.button(studio.say(text::MIRROR_PARTS)).clicked() {
             done.edit = Some(Edit::Mirror);
+        }
+        let again = egui::Button::new(studio.say(text::SEE_PART_AGAIN));
+        let was_danced = studio.take.of_part(chosen).is_some();
+        if ui.add_enabled(was_danced, again).clicked() {
+            done.again = Some(chosen);
         }
     });
     done

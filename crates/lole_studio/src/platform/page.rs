@@ -30,6 +30,9 @@ pub(crate) use tailor::Tailor;
 /// Whether files lie in folders that can be shown.
 pub(crate) const HAS_FOLDERS: bool = false;
 
+/// What is kept of the dance to be seen again takes so many bytes at most.
+pub(crate) const TAKE_BYTES: usize = 128 << 20;
+
 /// Processors that may work at a time: a worker has one.
 pub(crate) const fn cores() -> usize {
     1
