@@ -2,8 +2,11 @@
 
 use std::sync::Arc;
 
+use lole_costume::document::MotionRepeat;
+
+use crate::message::Message;
 use crate::studio::Studio;
-use crate::take::Beside;
+use crate::take::Neighbor;
 use crate::{Command, Snapshot, platform};
 
 /// What is seen again, and how.
@@ -102,9 +105,9 @@ impl Studio {
     }
 
     /// The moment before or after, as they were kept.
-    pub(crate) fn step_again(&mut self, beside: Beside) {
+    pub(crate) fn step_again(&mut self, neighbor: Neighbor) {
         let at = (self.replay.as_ref()).map_or(f32::INFINITY, |replay| replay.at);
-        let beside = self.take.beside(at, beside);
+        let beside = self.take.beside(at, neighbor);
         self.look_again(beside);
         if let Some(replay) = &mut self.replay {
             replay.plays = false;
@@ -146,6 +149,40 @@ impl Studio {
         });
     }
 
+    /// Lets what was danced last be danced once more beside what is on stage.
+    pub fn keep_beside(&mut self) {
+        self.dance_on();
+        self.kept = Some(Arc::new(self.take.clone()));
+        self.message = Some(Message::news(
+            "いまの踊りを右に並べました。衣装・布・寸法を変えると、左がその新しいほうです。",
+            "This dance is kept on the right; change costume, cloth or measures, and the left one shows it.",
+        ));
+    }
+
+    /// The moment of the kept dance that belongs to a time [s] of the one on stage: the same count of the dance.
+    #[must_use]
+    pub fn kept_time(&self, time: f32) -> Option<f32> {
+        let [first, last] = self.kept.as_ref()?.span()?;
+        let Some(period) = self.period().filter(|period| *period < last - first) else {
+            return Some(time.clamp(first, last));
+        };
+        // As many times around less, or more, as were kept.
+        let rounds = ((time - last) / period).ceil().max(0.0);
+        let more = ((first - time) / period).ceil().max(0.0);
+        Some((time + (more - rounds) * period).clamp(first, last))
+    }
+
+    /// How long a dance is that is danced over and over [s].
+    fn period(&self) -> Option<f32> {
+        let motion = &self.design().motion;
+        if motion.file.is_some() {
+            let seconds = self.snapshot.as_ref()?.recording_seconds;
+            return seconds.filter(|_| motion.repeat == MotionRepeat::Loop);
+        }
+        let seconds = f64::from(motion.step.counts()) * 60.0 / motion.tempo_bpm;
+        (motion.parts.is_empty()).then(|| lole_geom::narrow(seconds))
+    }
+
     /// Whether what is shown moves.
     #[must_use]
     pub fn moves(&self) -> bool {
@@ -157,7 +194,7 @@ impl Studio {
     /// One frame, then still.
     pub fn step(&mut self) {
         if self.replay.is_some() {
-            self.step_again(Beside::After);
+            self.step_again(Neighbor::After);
             return;
         }
         self.plays = false;
@@ -180,7 +217,7 @@ impl Studio {
 
 #[cfg(test)]
 mod tests {
-    use lole_costume::document::Design;
+    use lole_costume::document::{Design, PartDesign};
     use lole_language::Language;
     use lole_stage::PartNow;
 
@@ -248,6 +285,36 @@ mod tests {
         studio.reset();
         assert!(shown(&studio).abs() < 1e-4);
         assert!(!studio.see_part(7));
+    }
+
+    #[test]
+    fn the_kept_dance_is_at_the_same_count_as_the_one_on_stage() {
+        let mut studio = danced();
+        studio.keep_beside();
+        let motion = &studio.design().motion;
+        let period = f64::from(motion.step.counts()) * 60.0 / motion.tempo_bpm;
+        let period = lole_geom::narrow(period);
+        for tenth in 0_u16..600 {
+            let time = f32::from(tenth) / 10.0;
+            let kept = studio.kept_time(time).expect("it is kept");
+            assert!((0.0..=10.0).contains(&kept), "{time} {kept}");
+            let rounds = (time - kept) / period;
+            assert!(
+                (rounds - rounds.round()).abs() < 1e-3,
+                "{time} {kept} {period}"
+            );
+        }
+        // A choreography is danced once: after its end she stands there.
+        studio.change(|design| design.motion.parts = vec![PartDesign::default()]);
+        assert_eq!(studio.kept_time(60.0), Some(10.0));
+        // What comes on stage later is another take; the kept one stays.
+        studio.receive(Arc::new(moment(&wardrobe(), 0.5)));
+        assert!(
+            studio
+                .kept
+                .as_ref()
+                .is_some_and(|kept| kept.span().is_some())
+        );
     }
 
     #[test]

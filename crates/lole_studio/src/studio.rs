@@ -168,6 +168,8 @@ pub struct Studio {
     pub take: Take,
     /// What is seen again; `None` while the show is seen.
     pub replay: Option<Replay>,
+    /// What was danced before and is danced once more beside what is on stage.
+    pub kept: Option<Arc<Take>>,
     /// From where to where it is seen over and over [s]; all of it where nothing was chosen.
     pub phrase: [Option<f32>; 2],
     /// Where and when the cloth flew apart.
@@ -241,6 +243,7 @@ impl Studio {
             snapshot: None,
             take: Take::default(),
             replay: None,
+            kept: None,
             phrase: [None; 2],
             stopped: None,
             sews: true,
@@ -281,6 +284,7 @@ impl Studio {
             snapshot: None,
             take: Take::default(),
             replay: None,
+            kept: None,
             phrase: [None; 2],
             stopped: None,
             history: History::default(),

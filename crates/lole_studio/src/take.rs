@@ -21,10 +21,10 @@ const MOST_FRAMES: usize = 6000;
 /// A step back in time of more than this is another beginning [s].
 const BACK: f32 = 1e-3;
 
-/// What was danced.
-#[derive(Default)]
+/// What was danced; another one of the same costs nothing.
+#[derive(Clone, Default)]
 pub struct Take {
-    frames: VecDeque<Kept>,
+    frames: VecDeque<Arc<Kept>>,
     bytes: usize,
 }
 
@@ -43,7 +43,7 @@ struct Kept {
 
 /// Which of two neighbors in time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Beside {
+pub(crate) enum Neighbor {
     Before,
     After,
 }
@@ -82,7 +82,7 @@ impl Take {
         }
         let kept = Kept::of(snapshot);
         self.bytes += kept.bytes;
-        self.frames.push_back(kept);
+        self.frames.push_back(Arc::new(kept));
         while most_bytes < self.bytes || MOST_FRAMES < self.frames.len() {
             let Some(first) = self.frames.pop_front() else {
                 break;
@@ -104,7 +104,7 @@ impl Take {
             after.min(last),
             (after + 1).min(last),
         ];
-        let kept = places.map(|place| &self.frames[place]);
+        let kept = places.map(|place| &*self.frames[place]);
         let [_, from, to, _] = kept;
         let share = if from.time < to.time {
             ((time - from.time) / (to.time - from.time)).clamp(0.0, 1.0)
@@ -151,9 +151,9 @@ impl Take {
     }
 
     /// The time of the frame before or after a time [s]; the time itself where there is none.
-    pub(crate) fn beside(&self, time: f32, beside: Beside) -> f32 {
+    pub(crate) fn beside(&self, time: f32, neighbor: Neighbor) -> f32 {
         let nearer = INTERVAL * 0.1;
-        let found = if beside == Beside::After {
+        let found = if neighbor == Neighbor::After {
             let place = self
                 .frames
                 .partition_point(|kept| kept.time <= time + nearer);
@@ -171,7 +171,7 @@ impl Take {
 
     /// From when to when the latest dance of a part was kept [s].
     pub(crate) fn of_part(&self, index: usize) -> Option<[f32; 2]> {
-        let is_it = |kept: &&Kept| kept.part.is_some_and(|part| part.index == index);
+        let is_it = |kept: &&Arc<Kept>| kept.part.is_some_and(|part| part.index == index);
         let mut latest = (self.frames.iter().rev())
             .skip_while(|kept| !is_it(kept))
             .take_while(is_it);

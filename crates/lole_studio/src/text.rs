@@ -57,6 +57,12 @@ pub(crate) const FRAME_AFTER: Words = words("1コマ先", "One frame on");
 pub(crate) const PHRASE_FROM: Words = words("ここから", "From here");
 pub(crate) const PHRASE_TO: Words = words("ここまで", "To here");
 pub(crate) const PHRASE_ALL: Words = words("全部", "All of it");
+pub(crate) const KEEP_BESIDE: Words = words("隣に並べてくらべる", "Keep beside, to compare");
+pub(crate) const WHO_IS_BESIDE: Words = words(
+    "正面から見て、左がいま、右が取っておいた踊りです。",
+    "Seen from the front: now on the left, the kept dance on the right.",
+);
+pub(crate) const NOBODY_BESIDE: Words = words("並べるのをやめる", "Stop comparing");
 pub(crate) const DANCE_ON: Words = words("踊りに戻る", "Back to the dance");
 pub(crate) const SPEED: Words = words("速さ", "Speed");
 pub(crate) const PACE: Words = words("踊りの速さ", "Pace of the dance");

@@ -7,22 +7,25 @@ use eframe::egui_wgpu::RenderState;
 use glam::{Vec2, Vec3};
 use lole_geom::trig;
 use lole_language::Sentence;
-use lole_picture::{DrawnDancer, Lamps, Scenery};
+use lole_picture::{DrawnDancer, Scenery};
 use lole_render::{Bounds, Effort, Image, LiveView, Material, RenderError, Size, View, wgpu};
 use lole_stage::Pull;
 
 use crate::clock::Clock;
-use crate::light::Job;
+use crate::light::{Job, Neighbor};
 use crate::look::strain_color;
 use crate::message::Message;
 use crate::orbit::{Orbit, hand_at, pick};
 use crate::overlay::Strokes;
 use crate::platform::{self, Light};
 use crate::studio::{Shows, Tool};
+use crate::take::Take;
 use crate::{Command, Snapshot, Studio};
 
 /// Room to each side of the dancer that the views show [m]: she steps to both sides.
 const SIDE_ROOM: f32 = 0.62;
+/// Where the kept dance is beside the one on stage [m]: neither arm meets the other.
+const BESIDE_WAY: Vec3 = Vec3::new(1.7, 0.0, 0.0);
 /// How quickly the camera goes with her [1/s]: softly, as a hand would.
 const FOLLOW_RATE: f32 = 1.6;
 /// The longest time between two pictures that the camera makes up for [s].
@@ -59,6 +62,8 @@ pub(crate) struct Viewport {
     /// How far the camera went with her over the floor [m].
     drift: Vec3,
     followed_at: f64,
+    /// Who dances beside her, of which take and at which time of it [s].
+    beside: Option<(Arc<Take>, f32, Neighbor)>,
 }
 
 /// What is on the adapter.
@@ -92,6 +97,8 @@ struct Drawn {
     snapshot: *const Snapshot,
     /// Another moment may lie where one was.
     time: f32,
+    /// Who is seen.
+    together: u64,
     orbit: Orbit,
     scenery: Scenery,
     size: (u32, u32),
@@ -129,6 +136,7 @@ impl Viewport {
             quality: Quality::Fine,
             drift: Vec3::ZERO,
             followed_at: clock.seconds(),
+            beside: None,
         }
     }
 
@@ -188,7 +196,11 @@ impl Viewport {
             },
             (None, None) => View::Front,
         };
-        studio.orbit = Some(Orbit::framing(stage_of(snapshot), view, self.aspect));
+        let mut stage = stage_of(snapshot);
+        if studio.kept.is_some() {
+            stage.max += BESIDE_WAY;
+        }
+        studio.orbit = Some(Orbit::framing(stage, view, self.aspect));
     }
 
     /// What shows the present picture.
@@ -311,15 +323,19 @@ impl Viewport {
         };
         let is_new_light = self.take_light();
         let scenery = studio.scenery(snapshot);
+        self.bring_beside(studio, snapshot.time);
+        let beside = self.beside.as_ref().map(|(_, _, neighbor)| neighbor);
         self.light.offer(Job {
             snapshot: Arc::clone(snapshot),
             camera: orbit.camera(),
             scenery,
             is_coarse: self.is_coarse(studio.shows),
+            beside: beside.cloned(),
         });
         let drawn = Drawn {
             snapshot: Arc::as_ptr(snapshot),
             time: snapshot.time,
+            together: Neighbor::together(beside, &snapshot.wardrobe),
             orbit,
             scenery,
             size: (size.width, size.height),
@@ -334,7 +350,7 @@ impl Viewport {
         let Some(live) = &mut self.lives[self.quality as usize] else {
             return Ok(());
         };
-        live.wear(snapshot.wardrobe.id);
+        live.wear(drawn.together);
         let reach = trig::tan(orbit.vertical_fov * 0.5);
         let meters_per_pixel = 2.0 * reach * orbit.distance / size.height as f32;
         let strokes = Strokes::of(snapshot, studio.shows, meters_per_pixel, scale);
@@ -346,8 +362,8 @@ impl Viewport {
         };
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();
-        let around = (scenery, Lamps::WithCamera);
-        let mut scene = (wardrobe.looks).scene_in(around, &figure, camera);
+        let beside = self.beside.as_ref().map(|(_, _, neighbor)| neighbor);
+        let mut scene = Neighbor::scene(beside, (wardrobe, figure), (scenery, camera));
         if is_coarse {
             wardrobe.coarsen(&mut scene);
         }
@@ -356,6 +372,28 @@ impl Viewport {
         self.pictures += 1;
         self.drawn = Some(drawn);
         Ok(())
+    }
+
+    /// Brings the kept dance to where the one on stage is.
+    fn bring_beside(&mut self, studio: &Studio, time: f32) {
+        let wanted = studio.kept.clone().zip(studio.kept_time(time));
+        let Some((take, time)) = wanted else {
+            self.beside = None;
+            return;
+        };
+        let is_there = |(of, at, _): &(Arc<Take>, f32, Neighbor)| {
+            Arc::ptr_eq(of, &take) && at.to_bits() == time.to_bits()
+        };
+        if self.beside.as_ref().is_some_and(is_there) {
+            return;
+        }
+        self.beside = take.at(time).map(|shown| {
+            let neighbor = Neighbor {
+                wardrobe: shown.wardrobe,
+                moment: Arc::new(shown.moment.moved(BESIDE_WAY)),
+            };
+            (take, time, neighbor)
+        });
     }
 
     /// A view of this size on the window's device.

@@ -3,7 +3,7 @@
 use eframe::egui::{self, Button, CornerRadius, Rect, RichText, Slider, Ui};
 
 use super::knob;
-use crate::take::Beside;
+use crate::take::Neighbor;
 use crate::{Studio, look, text};
 
 /// Width of the time beside the slider [point].
@@ -26,9 +26,20 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             ui.spacing_mut().item_spacing = egui::vec2(5.0, 5.0);
             ui.spacing_mut().button_padding.x = 9.0;
             phrase(ui, studio);
+            if ui.button(studio.say(text::KEEP_BESIDE)).clicked() {
+                studio.keep_beside();
+            }
             let back = RichText::new(studio.say(text::DANCE_ON)).strong();
             if ui.button(back).clicked() {
                 studio.dance_on();
+            }
+        });
+    }
+    if studio.kept.is_some() {
+        ui.horizontal_wrapped(|ui| {
+            ui.label(RichText::new(studio.say(text::WHO_IS_BESIDE)).small());
+            if ui.button(studio.say(text::NOBODY_BESIDE)).clicked() {
+                studio.kept = None;
             }
         });
     }
@@ -73,12 +84,12 @@ fn slider(ui: &mut Ui, studio: &mut Studio) {
 
 /// Frame by frame, and the phrase that is seen over and over.
 fn phrase(ui: &mut Ui, studio: &mut Studio) {
-    for (sign, name, beside) in [
-        ("⬅", text::FRAME_BEFORE, Beside::Before),
-        ("➡", text::FRAME_AFTER, Beside::After),
+    for (sign, name, neighbor) in [
+        ("⬅", text::FRAME_BEFORE, Neighbor::Before),
+        ("➡", text::FRAME_AFTER, Neighbor::After),
     ] {
         if knob::sign_button(ui, sign, studio.say(name)) {
-            studio.step_again(beside);
+            studio.step_again(neighbor);
         }
     }
     let at = studio.replay.as_ref().map(|replay| replay.at);

@@ -53,6 +53,10 @@ impl Light {
 
     /// Lights a snapshot, if the last one is done; lamps stand around the camera.
     pub(crate) fn offer(&mut self, job: Job) {
+        if job.beside.is_some() {
+            // The worker knows one wardrobe; two dancers have the even light of before.
+            return;
+        }
         let now = self.clock.seconds();
         let Some(worker) = &self.worker else { return };
         if !self.is_back.get() || now < self.rested.get() {
@@ -122,6 +126,7 @@ fn work(wardrobe: &Arc<Wardrobe>, parcel: &mut Unpacker<'_>) -> Option<(u64, Amb
         camera,
         scenery,
         is_coarse,
+        beside: None,
     })
 }
 
