@@ -225,7 +225,13 @@ fn verdict(problems: &[Sentence], language: Language) -> Result<(), Failure> {
     let count = problems.len();
     Err(Failure::error(Sentence::new(
         format!("ほかの人の分は書き出しました。使えない行が {count} 件あります（上に書きました）"),
-        format!("everybody else's files are written; {count} rows cannot be used, as told above"),
+        match count {
+            1 => "everybody else's files are written; one row cannot be used, as told above"
+                .to_owned(),
+            _ => format!(
+                "everybody else's files are written; {count} rows cannot be used, as told above"
+            ),
+        },
     )))
 }
 

@@ -31,8 +31,9 @@ pub(crate) fn read(language: Language) -> Result<Asked, ExitCode> {
     if let Some(document) = window(&words) {
         return Ok(Asked::Window(document));
     }
+    let typed = std::env::args_os().take(1).chain(as_help(words));
     command(language)
-        .try_get_matches()
+        .try_get_matches_from(typed)
         .and_then(|matches| Cli::from_arg_matches(&matches))
         .map(|cli| {
             if cli.quiet {
@@ -46,6 +47,17 @@ pub(crate) fn read(language: Language) -> Result<Asked, ExitCode> {
             | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => error.exit(),
             _ => summary::explain(&Failure::usage(sentence(&error)), language),
         })
+}
+
+/// `lole help order` as `lole order --help`: one word of help in both languages.
+fn as_help(words: Vec<OsString>) -> Vec<OsString> {
+    match words.split_first() {
+        Some((first, asked)) if first == "help" => {
+            let asked = asked.iter().take(1).cloned();
+            asked.chain(["--help".into()]).collect()
+        }
+        _ => words,
+    }
 }
 
 /// The window's document, where nothing else was typed: nothing at all, or one design.

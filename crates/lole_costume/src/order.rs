@@ -431,16 +431,20 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn elastic_of_a_group_is_the_sum() {
+    fn elastic_of_a_group_is_the_sum_and_what_is_spare() {
         let plans = plans(&Design::default());
         let elastics = plans.iter().flat_map(|plan| plan.garments[0].elastics());
         let sum: f64 = elastics
             .map(|elastic| elastic.length.to_m() * f64::from(elastic.count))
             .sum();
-        let total = notions(&plans);
+        let settings = Settings {
+            spare_ratio: 0.08,
+            ..Settings::default()
+        };
+        let total = notions(&plans, &settings);
         let Amount::Length(length) = total[0].amount else {
             panic!("elastic is sold by length")
         };
-        assert!((length.to_m() - sum).abs() < 1e-9);
+        assert!((length.to_m() - 1.08 * sum).abs() < 1e-9);
     }
 }

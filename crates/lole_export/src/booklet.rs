@@ -5,6 +5,7 @@
 
 mod figures;
 mod keep;
+mod own_numbers;
 mod sizes;
 mod style;
 mod techniques;
@@ -102,6 +103,8 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     for garment in &booklet.plan.garments {
         steps(&mut flow, garment, language);
     }
+    let owns = own_numbers::of_group(booklet.group, language);
+    own_numbers::draw(&mut flow, (&owns, booklet.group), language);
     trial::draw(&mut flow, &booklet.drafted_by.alterations, language);
     techniques::draw(&mut flow, booklet.plan, language);
     care(&mut flow, booklet.plan, language);
@@ -355,10 +358,10 @@ fn everybody(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
     let name = booklet.plan.name.as_str();
     let text = match language {
         Language::Japanese => format!(
-            "この本の図と手順の数字は {name} さんの寸法です。ほかの人は、裁つ寸法とゴムの長さをこの表から取ってください。「型紙」とある服は、その人の採寸で作った型紙で裁ちます。そのほかは同じです。"
+            "この本の図と手順の数字は {name} さんの寸法です。ほかの人は、裁つ寸法とゴムの長さをこの表から取ってください。「型紙」とある服は、その人の採寸で作った型紙で裁ちます。手順の中で人によって違う数字は、手順のあとの「人によって違う数字」にあります。"
         ),
         Language::English => format!(
-            "The drawings and steps of this booklet have the lengths of {name}. For everybody else take the lengths of cloth and elastic from this table, and where it says “pattern”, cut by the paper pattern of her own measures; all the rest is the same."
+            "The drawings and steps of this booklet have the lengths of {name}. For everybody else take the lengths of cloth and elastic from this table, and where it says “pattern”, cut by the paper pattern of her own measures. Numbers of the steps that differ stand after the steps, under “Numbers of her own”."
         ),
     };
     flow.paragraph(&text, &TextStyle::body());

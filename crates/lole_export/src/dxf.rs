@@ -5,8 +5,11 @@
 //! people on 15. Piece text (`Piece Name`, `Size`, `Quantity`, …) stands in the block on layer 1, style
 //! text (`Style Name`, `Units`, …) once beside the inserted blocks. Units are millimeters.
 //!
-//! The file is of the plain kind that all readers take: release 12, `POLYLINE` and `LINE`, ASCII, an
-//! empty header. The standard's quality curves (layers 84 to 87) are for exact re-import by one
+//! A notch is a point on the cut line with its depth as height and the way into the cloth as angle, as the
+//! standard has it; where it is to be seen, it is a short line on layer 15, too.
+//!
+//! The file is of the plain kind that all readers take: release 12, `POLYLINE` and `LINE`, ASCII, a
+//! header that says the release and millimeters. The standard's quality curves (layers 84 to 87) are for exact re-import by one
 //! program and left out.
 
 use kurbo::{Affine, Point};
@@ -36,6 +39,8 @@ const MM: f64 = 1000.0;
 const TOLERANCE: f64 = 5.0e-5;
 /// Height of letters [mm].
 const LETTER: f64 = 6.0;
+/// How deep a notch is cut [m].
+const NOTCH_DEPTH: f64 = 0.005;
 /// Between inserted pieces [mm].
 const GAP: f64 = 50.0;
 /// A corner that turns less belongs to a curve [rad]: the sine of fifteen degrees.
@@ -46,7 +51,7 @@ const TURN: f64 = 0.26;
 #[must_use]
 pub fn pattern_dxf(cut: &CutGarment, size: &str) -> Vec<u8> {
     let mut dxf = Dxf::default();
-    dxf.pair(0, "SECTION").pair(2, "HEADER").pair(0, "ENDSEC");
+    dxf.header();
     dxf.pair(0, "SECTION").pair(2, "BLOCKS");
     let mut names: Vec<String> = Vec::new();
     let mut widths = Vec::new();
@@ -165,6 +170,15 @@ impl Dxf {
         self.number(x, at.x).number(y, at.y).number(z, 0.0);
     }
 
+    /// Release 12, in millimeters.
+    fn header(&mut self) {
+        self.pair(0, "SECTION").pair(2, "HEADER");
+        self.pair(9, "$ACADVER").pair(1, "AC1009");
+        self.pair(9, "$MEASUREMENT").pair(70, "1");
+        self.pair(9, "$INSUNITS").pair(70, "4");
+        self.pair(0, "ENDSEC");
+    }
+
     /// A piece in a block of its own.
     fn block(&mut self, name: &str, size: &str, piece: &Piece, drawing: &Drawing) {
         self.pair(0, "BLOCK")
@@ -203,11 +217,18 @@ impl Dxf {
     /// Notches, drill holes and the grain.
     fn marks(&mut self, drawing: &Drawing) {
         for notch in &drawing.notches {
-            // A point on the boundary: its height is the depth of the cut, as the standard has it.
             let side = notch.inward.turn_90() * 0.002;
+            let angle = lole_geom::trig64::atan2(notch.inward.y, notch.inward.x).to_degrees();
             for place in notch_places(notch) {
                 let at = notch.at + side * *place;
-                self.line(layer::NOTCH, scaled(&[at, at + notch.inward * 0.005]));
+                let [x, y] = [at.x, at.y].map(|along| MM * along);
+                self.pair(0, "POINT").pair(8, layer::NOTCH);
+                self.number(10, x)
+                    .number(20, y)
+                    .number(30, MM * NOTCH_DEPTH);
+                self.number(50, angle);
+                let end = at + notch.inward * NOTCH_DEPTH;
+                self.line(layer::NOTE, scaled(&[at, end]));
             }
         }
         for (_, at) in &drawing.points {

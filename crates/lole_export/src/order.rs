@@ -83,6 +83,12 @@ pub fn order_sheets(order: &Order<'_>, paper: Paper, language: Language) -> Vec<
     flow.finish(|sheet, number, count| foot(sheet, &title, number, count))
 }
 
+/// "1 dancer", "12 dancers".
+fn dancers_words(count: usize) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} dancer{plural}")
+}
+
 fn summary(flow: &mut Flow, order: &Order<'_>, language: Language) {
     let title = TextStyle::bold(24.0).with_color(ACCENT);
     flow.paragraph(&order.title, &title);
@@ -91,9 +97,12 @@ fn summary(flow: &mut Flow, order: &Order<'_>, language: Language) {
         (Language::Japanese, Some(hem)) => format!("{count} 人。裾は全員、床から {hem:.0} cm。"),
         (Language::Japanese, None) => format!("{count} 人。"),
         (Language::English, Some(hem)) => {
-            format!("{count} dancers. Every hem is {hem:.0} cm above the floor.")
+            format!(
+                "{}. Every hem is {hem:.0} cm above the floor.",
+                dancers_words(count)
+            )
         }
-        (Language::English, None) => format!("{count} dancers."),
+        (Language::English, None) => format!("{}.", dancers_words(count)),
     };
     flow.paragraph(&about, &TextStyle::regular(14.0));
     for note in order.notes {

@@ -87,7 +87,7 @@ fn group_pages(language: Language) -> Vec<Sheet> {
         plans: &plans,
         pictures: &[],
         prints: &prints,
-        notions: &order::notions(&plans),
+        notions: &order::notions(&plans, &settings),
         bills: &bills,
         total: &cost::group_bill(&design, &plans, &prints),
         problems: &problems,

@@ -45,4 +45,4 @@ pub use measures::{Measure, Measures};
 pub use pattern::Pattern;
 pub use piece::Piece;
 pub use ratio::{ElasticRatio, GatherRatio};
-pub use yardage::Yardage;
+pub use yardage::{Yardage, sold_zip};

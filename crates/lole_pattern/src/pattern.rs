@@ -111,6 +111,15 @@ pub struct Notion {
     pub note: Option<Sentence>,
 }
 
+impl Notion {
+    /// With a word on how it is cut or used.
+    #[must_use]
+    pub fn noted(mut self, note: Sentence) -> Self {
+        self.note = Some(note);
+        self
+    }
+}
+
 /// Sorts of notions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum NotionKind {

@@ -12,6 +12,20 @@ const HALF_YARD: f64 = 0.5;
 /// So a 91.4 cm hip buys 4 yd (365.8 cm) for a piece of 367.6 cm.
 const GIVE: f64 = 0.02;
 
+/// Zips as shops have them [cm]; longer ones come by 10 cm. Invisible zips of 22 and 56 cm are found everywhere.
+const ZIPS: [f64; 13] = [
+    18.0, 20.0, 22.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 56.0, 60.0, 70.0, 80.0,
+];
+
+/// The shortest zip that is sold for an opening: what is too long is sewn across and cut off.
+#[must_use]
+pub fn sold_zip(opening: Length) -> Length {
+    // Rounding noise asks for no longer one.
+    let least = opening.to_cm() - 1.0e-6;
+    let sold = ZIPS.into_iter().find(|zip| least <= *zip);
+    Length::from_cm(sold.unwrap_or_else(|| (least / 10.0).ceil() * 10.0))
+}
+
 /// A length of cloth and what to buy for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Yardage {
@@ -69,6 +83,22 @@ fn units_covering(length: f64, unit: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_zip_is_never_too_short_and_no_shorter_one_is_sold() {
+        for millimeters in 50_u16..1300 {
+            let opening = Length::from_cm(f64::from(millimeters) / 10.0);
+            let sold = sold_zip(opening);
+            assert!(opening <= sold, "{opening:?}");
+            assert!((sold_zip(sold) - sold).to_m().abs() < 1e-12);
+            let shorter = ZIPS.iter().rfind(|zip| **zip < sold.to_cm() - 1e-9);
+            assert!(
+                shorter.is_none_or(|zip| *zip < opening.to_cm()),
+                "{opening:?}"
+            );
+            assert!(sold.to_cm() <= 80.0 || (sold - opening).to_cm() < 10.0);
+        }
+    }
 
     #[test]
     fn gathers_give_two_centimeters_and_three_are_bought() {

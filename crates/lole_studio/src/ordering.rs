@@ -174,7 +174,7 @@ pub(crate) fn run(job: &Job, line: &Line<'_>) -> Result<OrderNews, Sentence> {
     let totals = Totals {
         design: job.design.clone(),
         wishes: job.wishes,
-        notions: order::notions(&group.plans),
+        notions: order::notions(&group.plans, &job.wishes.settings()),
         bill: cost::group_bill(&job.design, &group.plans, &prints),
         prints,
         group,

@@ -2,9 +2,9 @@
 
 use lole_geom::Length;
 use lole_language::Words;
-use lole_pattern::Yardage;
 use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
+use lole_pattern::{Yardage, sold_zip};
 use lole_print::PrintMotif;
 
 use super::together::{Cut, SharedStrip, bolts, together};
@@ -193,28 +193,28 @@ pub struct NotionTotal {
     pub amount: Amount,
     /// What sort of thing it is.
     pub kind: NotionKind,
-    /// Length of each where they are counted but have one, as zips: whole centimeters.
+    /// Length of each where they are counted but have one, as zips: one that is sold.
     pub length: Option<Length>,
 }
 
-/// An opening's length as zips are sold: the next whole centimeter.
-fn whole_cm(amount: Amount) -> Length {
+/// The zip that is bought for an opening.
+fn zip_for(amount: Amount) -> Length {
     match amount {
-        Amount::Length(length) => Length::from_cm((length.to_cm() - 1e-6).ceil()),
+        Amount::Length(length) => sold_zip(length),
         Amount::Count(_) | Amount::Mass(_) => Length::ZERO,
     }
 }
 
-/// Everything a group buys beside cloth, equal things together.
+/// Everything a group buys beside cloth, equal things together; of elastic and cord as much more as of cloth.
 #[must_use]
-pub fn notions(plans: &[DancerPlan]) -> Vec<NotionTotal> {
+pub fn notions(plans: &[DancerPlan], settings: &Settings) -> Vec<NotionTotal> {
     let mut totals: Vec<NotionTotal> = Vec::new();
     let garments = plans.iter().flat_map(|plan| &plan.garments);
     for notion in garments.flat_map(|garment| &garment.tailored.pattern.notions) {
         let is_zip = notion.kind == NotionKind::Zip;
         let same = totals.iter_mut().find(|total| {
             // Zips are bought by the piece, each of its length.
-            total.name == notion.name && (!is_zip || total.length == Some(whole_cm(notion.amount)))
+            total.name == notion.name && (!is_zip || total.length == Some(zip_for(notion.amount)))
         });
         let Some(total) = same else {
             totals.push(NotionTotal {
@@ -225,7 +225,7 @@ pub fn notions(plans: &[DancerPlan]) -> Vec<NotionTotal> {
                     notion.amount
                 },
                 kind: notion.kind,
-                length: is_zip.then(|| whole_cm(notion.amount)),
+                length: is_zip.then(|| zip_for(notion.amount)),
             });
             continue;
         };
@@ -241,6 +241,13 @@ pub fn notions(plans: &[DancerPlan]) -> Vec<NotionTotal> {
             (Amount::Mass(one), Amount::Mass(other)) => Amount::Mass(one + other),
             (kept, _) => kept,
         };
+    }
+    for total in &mut totals {
+        if let (NotionKind::Elastic | NotionKind::Cord, Amount::Length(length)) =
+            (total.kind, &mut total.amount)
+        {
+            *length = *length * (1.0 + settings.spare_ratio);
+        }
     }
     // Zips of each sort stand together, the shortest first.
     let names: Vec<Words> = totals.iter().map(|total| total.name).collect();

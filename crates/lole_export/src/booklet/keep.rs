@@ -17,6 +17,8 @@ struct Made {
     on_cords: bool,
     /// A belt of leaves is braided of cord.
     of_leaves: bool,
+    /// Cloth that can be washed is gathered on elastics around the body, and not at sleeves alone.
+    is_drawn_in_above: bool,
 }
 
 /// Whether a garment takes such a notion.
@@ -53,6 +55,10 @@ fn made(plan: &DancerPlan) -> Made {
         made.on_cords |= of_cloth
             && takes(garment, &[NotionKind::Cord])
             && !takes(garment, &[NotionKind::Elastic]);
+        let mut elastics = garment.tailored.pattern.notions.iter();
+        made.is_drawn_in_above |= of_cloth
+            && !takes(garment, NOT_WASHED)
+            && elastics.any(|it| it.kind == NotionKind::Elastic && it.place.is_none());
         made.of_leaves |= takes(garment, &[NotionKind::Leaf]);
     }
     made
@@ -196,8 +202,8 @@ pub(super) fn care(plan: &DancerPlan) -> Vec<Words> {
 /// Rules for what can be washed.
 fn of_cloth(made: &Made, washed: &dyn Fn(NotionKind) -> bool) -> Vec<Row> {
     let elastic = washed(NotionKind::Elastic);
-    // A fitted dress or blouse has elastics at its sleeves only, and does not hang by them.
-    let hangs_by_elastic = elastic && !washed(NotionKind::Zip);
+    // A dress or blouse has elastics at its sleeves only, and does not hang by them.
+    let hangs_by_elastic = made.is_drawn_in_above;
     vec![
         (
             made.is_washed,

@@ -21,8 +21,8 @@ const STEPS: [Words; 4] = [
         "Draw the patterns on sheeting or another cheap plain cloth and cut bodice and sleeves alone, with 2.5 cm of allowance at sides and shoulders. Draw the middles, the waist and all notches on it.",
     ),
     words(
-        "4 mm の粗い目で縫い合わせ、裏返さずに着て、ファスナーの所はピンで留めます。踊るときの下着で、靴なしで立ちます。",
-        "Sew it together in stitches of 4 mm, put it on with the allowances outside, and pin the opening of the zip. Stand as you dance: without shoes, in what you wear below.",
+        "4 mm の粗い目で縫い合わせ、裏返さずに着て、ファスナーやボタンで開く所はピンで留めます。踊るときの下着で、靴なしで立ちます。",
+        "Sew it together in stitches of 4 mm, put it on with the allowances outside, and pin what opens by a zip or a button. Stand as you dance: without shoes, in what you wear below.",
     ),
     words(
         "前・横・後ろから見ます。腕を上げ、前へ伸ばし、腰を回します。しわは、布の足りない所へ向かい、余る所にたまります。下の絵と見くらべ、ピンでつまむか、切り開いて布を足し、その長さを測ります。",

@@ -4,7 +4,7 @@ use kurbo::{Affine, Point};
 use lole_costume::tailoring::role_name;
 use lole_geom::Length;
 use lole_language::{Language, Words, words};
-use lole_pattern::piece::{Drawing, Finish, Piece};
+use lole_pattern::piece::{CutCount, Drawing, Finish, Piece};
 
 use super::draw::{arrow, line, outline};
 use super::{CutGarment, TOLERANCE, cm, cut_words, inches};
@@ -91,6 +91,13 @@ impl<'a> Rectangle<'a> {
         };
         flow.paragraph(&title, &TextStyle::bold(19.0));
         flow.paragraph(&self.facts(language), &TextStyle::regular(12.0));
+        if matches!(self.piece.cut, CutCount::Pairs(_)) {
+            let said = language.pick(
+                "左右で一組です。図は一枚目。二枚目は、切り込みの位置を図と左右逆に付けます。",
+                "They are a pair. One is drawn; on the other the notches stand the other way round, left for right.",
+            );
+            flow.paragraph(said, &TextStyle::regular(12.0));
+        }
         flow.space(4.0);
         let ruled = ruled_lines(&self.drawing);
         let scales = scales(&self.drawing, flow.width());
@@ -99,7 +106,11 @@ impl<'a> Rectangle<'a> {
             draw(canvas, &self.drawing, &ruled, scales);
         });
         flow.space(5.0);
-        table(&ruled, language).draw(flow);
+        let mut table = table(&ruled, language);
+        table
+            .rows
+            .extend(notch_rows(&notched(&self.drawing), language));
+        table.draw(flow);
     }
 
     /// Its size, its cloth, how often it is cut and how the warp runs.
@@ -140,6 +151,47 @@ impl<'a> Rectangle<'a> {
             ),
         }
     }
+}
+
+/// A notch in an edge of a rectangle.
+struct Notched {
+    /// Which edge it is in.
+    edge: Words,
+    /// From the end of that edge that is written in [`Notched::edge`] [m].
+    from_end: f64,
+    is_double: bool,
+}
+
+/// The notches, edge by edge, along each in order.
+fn notched(drawing: &Drawing) -> Vec<Notched> {
+    let bounds = drawing.cut.bounds();
+    let edges = [
+        words("上の端で、左から", "in the upper edge, from the left"),
+        words("下の端で、左から", "in the lower edge, from the left"),
+        words("左の端で、上から", "in the left edge, from the top"),
+        words("右の端で、上から", "in the right edge, from the top"),
+    ];
+    let mut found: Vec<(usize, Notched)> = (drawing.notches.iter())
+        .map(|notch| {
+            let edge = match (notch.inward.x, notch.inward.y) {
+                (x, y) if y.abs() >= x.abs() => usize::from(0.0 < y),
+                (x, _) => 2 + usize::from(x < 0.0),
+            };
+            let from_end = if edge < 2 {
+                notch.at.x - bounds.x0
+            } else {
+                bounds.y1 - notch.at.y
+            };
+            let notched = Notched {
+                edge: edges[edge],
+                from_end,
+                is_double: notch.is_double,
+            };
+            (edge, notched)
+        })
+        .collect();
+    found.sort_by(|(a, one), (b, other)| a.cmp(b).then(one.from_end.total_cmp(&other.from_end)));
+    found.into_iter().map(|(_, notched)| notched).collect()
 }
 
 /// Marked lines and stitching lines that run straight across, from the top down and from the left on.
@@ -242,6 +294,24 @@ fn draw_lines(sheet: &mut Sheet, drawing: &Drawing, page: Affine) {
     for marked in &drawing.lines {
         sheet.path(line(&marked.points, page), None, Some(Stroke::solid(0.25)));
     }
+    for notch in &drawing.notches {
+        /// Length of a notch and distance of the two of a double one on the page [mm].
+        const NOTCH: [f64; 2] = [3.0, 1.4];
+        let at = page * notch.at;
+        // Upright edges and level ones: on the page up is down.
+        let inward = kurbo::Vec2::new(notch.inward.x, -notch.inward.y);
+        let beside = kurbo::Vec2::new(inward.y, inward.x) * NOTCH[1];
+        let shifts = if notch.is_double {
+            [-0.5, 0.5]
+        } else {
+            [0.0, 0.0]
+        };
+        for shift in shifts {
+            let from = at + beside * shift;
+            let to = from + inward * NOTCH[0];
+            sheet.line([from.x, from.y], [to.x, to.y], Stroke::solid(0.4));
+        }
+    }
     let grain = drawing.grain.map(|end| page * end);
     arrow(sheet, grain, &Stroke::solid(0.3).with_color(Color::GRAY));
 }
@@ -280,6 +350,26 @@ fn write_numbers(sheet: &mut Sheet, ruled: &[Ruled], page: Affine, [right, top]:
         let said = format!("{number}: {}", cm(Length::from_m(ruled.from_edge)));
         sheet.text([right + 9.0, label + 1.2], &said, &style, Align::Left);
     }
+}
+
+/// Every notch with its distance from the end of its edge.
+fn notch_rows(notches: &[Notched], language: Language) -> Vec<Vec<Cell>> {
+    let rows = notches.iter().map(|notch| {
+        let distance = Length::from_m(notch.from_end);
+        let name = if notch.is_double {
+            language.pick("切り込み 2 本", "double notch")
+        } else {
+            language.pick("切り込み（合印）", "notch")
+        };
+        vec![
+            Cell::from("–"),
+            Cell::bold(name),
+            Cell::from(notch.edge.text(language)),
+            Cell::bold(cm(distance)),
+            Cell::from(inches(distance)),
+        ]
+    });
+    rows.collect()
 }
 
 /// Every line with its distance from the edge.

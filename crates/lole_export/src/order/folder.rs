@@ -120,7 +120,7 @@ pub fn order_folder(
         plans,
         pictures: parts.pictures,
         prints: &prints,
-        notions: &order::notions(plans),
+        notions: &order::notions(plans, parts.settings),
         bills: &bills,
         total: &cost::group_bill(design, plans, &prints),
         problems: &parts.group.problems,

@@ -1,9 +1,11 @@
 //! What fitted garments share: pieces of the block's halves, sides with a dart, a bound neckline.
 
 use kurbo::{PathSeg, Point, Vec2};
-use lole_language::words;
+use lole_geom::Length;
+use lole_language::{Sentence, words};
 use lole_pattern::pattern::{Seam, Step, StepFigure};
 use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
+use lole_pattern::sold_zip;
 
 use super::block::{Block, Half, SideDart};
 use super::making::{both_sides, cm, edges_of, plain, say, side, step};
@@ -224,14 +226,41 @@ pub(crate) fn dart_step(piece: usize, line: &SideLine, marks: [usize; 2]) -> Opt
     )
 }
 
-/// How sides and shoulders are closed.
-pub(crate) fn closing_step(title: lole_language::Words, meters: f64, seams: Vec<usize>) -> Step {
+/// A back shoulder that is longer by less is sewn to the front without a word [m].
+const LEAST_EASE: f64 = 1.0e-3;
+
+/// The zip that is bought for an opening [m].
+pub(crate) fn zip_note(opening: f64) -> Sentence {
+    let opening = Length::from_m(opening);
+    let (sold, long) = (sold_zip(opening).to_cm(), opening.to_cm());
+    say!(
+        "あき {long:.1} cm。{sold:.0} cm のものを買い、長い分は下を縫い止めて切る",
+        "for an opening of {long:.1} cm buy one of {sold:.0} cm; sew across it below the opening and cut off the rest"
+    )
+}
+
+/// How `meters` of sides and shoulders are closed; the shoulder's front and back are so long [m].
+pub(crate) fn closing_step(
+    title: lole_language::Words,
+    (meters, [front, back]): (f64, [f64; 2]),
+    seams: Vec<usize>,
+) -> Step {
     let [seam_cm, side_cm] = [SEAM, FITTED_SEAM].map(cm);
+    let longer_cm = cm(back - front);
+    let eased = if LEAST_EASE < back - front {
+        say!(
+            "肩の後ろは前より {longer_cm} cm 長く裁ってあります。切り落としたり前を伸ばしたりせず、後ろを下にして両端を合わせ、間をいせて縫います。",
+            "The back shoulder is cut {longer_cm} cm longer than the front, for the blade below it: do not trim it nor stretch the front, but match both ends, put the back underneath and ease it in. "
+        )
+    } else {
+        Sentence::new("", "")
+    };
+    let [japanese, english] = [&eased.japanese, &eased.english];
     step(
         title,
         say!(
-            "合印どうしを合わせて中表に置き、肩は {seam_cm} cm、脇は {side_cm} cm の縫い代で縫います。端を始末し、後ろへ倒します。",
-            "Right sides together and notch on notch, sew the shoulders with {seam_cm} cm and the sides with {side_cm} cm of allowance. Neaten the edges and press them to the back."
+            "合印どうしを合わせて中表に置き、肩は {seam_cm} cm、脇は {side_cm} cm の縫い代で縫います。{japanese}端を始末し、後ろへ倒します。",
+            "Right sides together and notch on notch, sew the shoulders with {seam_cm} cm and the sides with {side_cm} cm of allowance. {english}Neaten the edges and press them to the back."
         ),
         minutes(&[(Work::Seam, meters)]),
     )

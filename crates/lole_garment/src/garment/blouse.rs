@@ -19,7 +19,7 @@ use crate::drafting::block::{Block, Fit};
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::fitted::{
     FITTED_SEAM, SideLine, binding, binding_seams, binding_step, center_edge, closing_step,
-    cutting_step, dart_step, hem_step, place, rising_hem, shown, upper_edges,
+    cutting_step, dart_step, hem_step, place, rising_hem, shown, upper_edges, zip_note,
 };
 use crate::drafting::making::{
     both_sides, cm, eased, elastic, notion, pattern, plain, say, sewn, side, step,
@@ -386,7 +386,8 @@ fn finish(
             NotionKind::Zip,
             words("コンシールファスナー", "invisible zip"),
             Amount::Length(Length::from_m(zip)),
-        ),
+        )
+        .noted(zip_note(zip)),
         sleeve_elastic(arm),
     ];
     let hem_around = 2.0
@@ -398,9 +399,10 @@ fn finish(
     steps.extend(dart_step(FRONT, front_side, [0, 1]));
     steps.push(zip_step(zip, zip, (BACK, center)));
     let meters = 2.0 * (pieces[FRONT].edges[1].length() + pieces[FRONT].edges[3].length());
+    let shoulder = [FRONT, BACK].map(|piece| pieces[piece].edges[edge(piece, "shoulder")].length());
     steps.push(closing_step(
         words("肩と脇を縫う", "Sew shoulders and sides"),
-        meters,
+        (meters, shoulder),
         closing,
     ));
     let neckline = pieces[BINDING].edges[0].length();

@@ -20,7 +20,7 @@ use crate::drafting::block::{Block, Fit, NO_REMEDY, unfit};
 use crate::drafting::chosen::{Chosen, by_measure, choice, number};
 use crate::drafting::fitted::{
     FITTED_SEAM, SEAM, SideLine, binding, binding_seams, binding_step, closing_step, cutting_step,
-    dart_step, hem_step, place, shown,
+    dart_step, hem_step, place, shown, zip_note,
 };
 use crate::drafting::making::{
     both_sides, cm, eased, notion, pattern, plain, say, sewn, side, step,
@@ -525,9 +525,11 @@ fn finish(
     let whole_back = yoke_back + pieces[BACK].edges[center].length();
     steps.push(zip_step(zip, whole_back, (BACK, center)));
     let meters = 2.0 * (pieces[FRONT].edges[1].length() + pieces[FRONT_YOKE].edges[2].length());
+    let shoulder = [FRONT_YOKE, BACK_YOKE]
+        .map(|piece| pieces[piece].edges[place(&pieces[piece], "shoulder")].length());
     steps.push(closing_step(
         words("肩と脇を縫う", "Sew shoulders and sides"),
-        meters,
+        (meters, shoulder),
         closing,
     ));
     let neckline = pieces[BINDING].edges[0].length();
@@ -647,7 +649,8 @@ fn fasteners(zip: f64) -> Vec<lole_pattern::pattern::Notion> {
             NotionKind::Zip,
             words("コンシールファスナー", "invisible zip"),
             Amount::Length(Length::from_m(zip)),
-        ),
+        )
+        .noted(zip_note(zip)),
         notion(
             NotionKind::Hook,
             words("スプリングホック", "hook and eye"),

@@ -387,7 +387,7 @@ impl Skirt {
             ("top", Finish::Seam, SEAM),
             ("right_end", Finish::Seam, SEAM),
         ];
-        let label = Label::main("ruffle", words("裾のフリル", "ruffle"), CutCount::Alike(2));
+        let label = Label::main("ruffle", words("裾のフリル", "ruffle"), CutCount::Pairs(1));
         let mut piece = rectangle(label, [long, self.ruffle], sides, AROUND);
         let gathers = beside(LineKind::Gather, &piece.edges[2], -0.4 * CM, [0.0, long]);
         piece.marks.push(gathers);
@@ -445,9 +445,11 @@ fn finish(
     let mut steps = vec![cutting_step(&pieces)];
     steps.push(yoke_step(&pieces, of_yokes));
     let meters = 2.0 * pieces[FRONT].edges[1].length() + 4.0 * 0.12;
+    let shoulder =
+        [FRONT_YOKE, BACK_YOKE].map(|yoke| pieces[yoke].edges[of(yoke, "shoulder")].length());
     steps.push(closing_step(
         words("肩と脇を縫う", "Sew shoulders and sides"),
-        meters,
+        (meters, shoulder),
         closing,
     ));
     steps.extend((0.0 < slit).then(|| slit_step(slit)));

@@ -6,7 +6,7 @@
 
 use lole_geom::Length;
 use lole_language::words;
-use lole_pattern::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
+use lole_pattern::design::pau_skirt::{MarkedLine, PauDraft, PauOptions, draft_pau_skirt};
 use lole_pattern::pattern::{Amount, Notion, NotionKind, Step, StepFigure};
 use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
 use lole_pattern::{DraftError, GatherRatio, Pattern};
@@ -158,6 +158,28 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     )))
 }
 
+/// How the casings are stitched; `marks` are their lines.
+fn casing_step(draft: &PauDraft, row_count: u32, marks: Vec<usize>) -> Step {
+    let from_edge = draft.lines.iter().map(|line| line.from_edge.to_m());
+    let from_edge: Vec<f64> = from_edge.collect();
+    let fold = from_edge.get(1).copied().unwrap_or_default();
+    let casings = from_edge
+        .iter()
+        .skip(2)
+        .take(from_edge.len().saturating_sub(3));
+    let casings: Vec<String> = casings.map(|at| cm(at - fold)).collect();
+    let [casings_japanese, casings_english] = ["、", ", "].map(|comma| casings.join(comma));
+    step(
+            words("ひも通しを縫う", "Stitch the casings"),
+            say!(
+                "裏に出ている折り返しに、上の折り山から {casings_japanese} cm の線をチャコで引き、その線の上を端から端まで縫います。2 本ずつがひも通し {row_count} 段の上と下です。両端は開けておきます。",
+                "On the folded edge, which lies on the wrong side, draw chalk lines {casings_english} cm below the top fold and stitch along them from end to end: two and two they are the upper and the lower side of {row_count} rows of casing. Leave their ends open."
+            ),
+            stitching(draft.flat_length.to_m() * f64::from(2 * row_count)),
+        )
+        .shown(StepFigure::Section { piece: 0, marks })
+}
+
 fn steps(piece: &Piece, draft: &PauDraft, (cord, row_count): (f64, u32)) -> Vec<Step> {
     let lines = |wanted: &[LineKind]| -> Vec<usize> {
         let marks = piece.marks.iter().enumerate();
@@ -175,12 +197,15 @@ fn steps(piece: &Piece, draft: &PauDraft, (cord, row_count): (f64, u32)) -> Vec<
     let [fold_cm, hem_cm, end_cm] =
         [draft.fold_depth.to_m(), draft.hem_depth.to_m(), END_HEM].map(cm);
     let (cord_cm, turn_cm) = (cm(cord), cm(0.01));
+    let from_edge = |line: Option<&MarkedLine>| line.map_or(0.0, |line| line.from_edge.to_m());
+    let fold_at_cm = cm(from_edge(draft.lines.get(1)));
+    let hem_at_cm = cm(from_edge(draft.lines.last()));
     vec![
         step(
             words("布を裁つ", "Cut the cloth"),
             say!(
-                "耳に沿って {length_cm} cm、幅の方向に {height_cm} cm の長方形を 1 枚裁ちます。線を全部写します。",
-                "Cut one rectangle of {length_cm} cm along the selvage and {height_cm} cm across it. Mark all lines."
+                "耳に沿って {length_cm} cm、幅の方向に {height_cm} cm の長方形を 1 枚裁ちます。布の裏に、上の切り口から {turn_cm} cm（折り代）、{fold_at_cm} cm（上の折り山）、{hem_at_cm} cm（裾の折り線）のところへ、チャコで線を引きます。",
+                "Cut one rectangle of {length_cm} cm along the selvage and {height_cm} cm across it. On the wrong side, draw chalk lines at {turn_cm} cm (the turned edge), {fold_at_cm} cm (the top fold) and {hem_at_cm} cm (the hem fold) from the upper raw edge."
             ),
             [20.0, 20.0],
         )
@@ -214,15 +239,7 @@ fn steps(piece: &Piece, draft: &PauDraft, (cord, row_count): (f64, u32)) -> Vec<
             [20.0, 20.0],
         )
         .shown(section(&[LineKind::TurnUnder, LineKind::TopFold])),
-        step(
-            words("ひも通しを縫う", "Stitch the casings"),
-            say!(
-                "ひも通しの線を {row_count} 段、上下とも縫います。両端は開けておきます。",
-                "Stitch along both lines of each of the {row_count} casings. Leave their ends open."
-            ),
-            stitching(width * f64::from(2 * row_count)),
-        )
-        .shown(section(&[LineKind::CasingTop, LineKind::CasingBottom])),
+        casing_step(draft, row_count, lines(&[LineKind::CasingTop, LineKind::CasingBottom])),
         step(
             words("ひもを通す", "Draw in the cords"),
             say!(

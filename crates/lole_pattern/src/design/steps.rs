@@ -247,7 +247,12 @@ fn stitch_casings(draft: &PauDraft) -> Step {
                 2 * count
             ),
             format!(
-                "On the folded band, which lies on the wrong side, draw chalk lines {english} cm below the top fold and sew all around along them. Sew the lowest round 0.2 cm inside the folded edge. One above and one below each of the {count} casings make {} rounds. Stitch back and forth where each round begins and ends.",
+                "On the folded band, which lies on the wrong side, draw chalk lines {english} cm below the top fold and sew all around along them. Sew the lowest round 0.2 cm inside the folded edge. One above and one below {} make {} rounds. Stitch back and forth where each round begins and ends.",
+                if count == 1 {
+                    "the casing".to_owned()
+                } else {
+                    format!("each of the {count} casings")
+                },
                 2 * count
             ),
         ),
@@ -282,7 +287,12 @@ fn tape(draft: &PauDraft) -> Option<Step> {
                 "バストの下の線に、ゴム通しのテープ {count} 本を裏から当て、上下の端を縫います。端は 1 cm ずつ折って突き合わせ、ゴムを通す口にします。"
             ),
             format!(
-                "Pin {count} casing tape(s) to the wrong side along the lines below the bust and sew both edges. Turn the ends under by 1 cm and let them meet: the elastic goes in there."
+                "Pin {} to the wrong side along the lines below the bust and sew both edges. Turn the ends under by 1 cm and let them meet: the elastic goes in there.",
+                if count == 1 {
+                    "a casing tape".to_owned()
+                } else {
+                    format!("{count} casing tapes")
+                }
             ),
         ),
         by_hand: Some(Sentence::new(
