@@ -105,6 +105,11 @@ impl PieceLines {
     }
 }
 
+/// Of lines on a piece, so many times as thick as on paper: dotted, so that nobody cuts along one.
+pub(super) fn marked_stroke(thick: f64) -> Stroke {
+    Stroke::dashed(0.3 * thick, 0.9)
+}
+
 /// A piece at full size.
 pub(super) struct FullSize<'a> {
     pub(super) drawing: &'a Drawing,
@@ -127,7 +132,12 @@ impl FullSize<'_> {
         let stroke = Stroke::solid(0.5 * self.thick);
         lines.cut.path(cut, None, Some(stroke.clone()));
         for notch in &drawing.notches {
-            draw_notch(&mut lines.cut, notch, self.page_from_piece, &stroke);
+            draw_notch(
+                &mut lines.cut,
+                notch,
+                self.page_from_piece,
+                (&stroke, NOTCH),
+            );
         }
         let grain = drawing.grain.map(|end| self.page_from_piece * end);
         arrow(&mut lines.marks, grain, &Stroke::solid(0.35 * self.thick));
@@ -135,8 +145,8 @@ impl FullSize<'_> {
     }
 
     /// Of lines and points on the piece.
-    const fn thin(&self) -> Stroke {
-        Stroke::solid(0.25 * self.thick)
+    fn thin(&self) -> Stroke {
+        marked_stroke(self.thick)
     }
 
     fn draw_lines(&self, sheet: &mut Sheet) {
@@ -247,14 +257,20 @@ pub(crate) const fn notch_places(notch: &DrawnNotch) -> &'static [f64] {
     }
 }
 
-fn draw_notch(sheet: &mut Sheet, notch: &DrawnNotch, page_from_piece: Affine, stroke: &Stroke) {
+/// A notch, as long as said [mm].
+pub(crate) fn draw_notch(
+    sheet: &mut Sheet,
+    notch: &DrawnNotch,
+    page_from_piece: Affine,
+    (stroke, long): (&Stroke, f64),
+) {
     let at = page_from_piece * notch.at;
     let inward = page_from_piece * (notch.at + notch.inward) - at;
     let inward = inward / inward.hypot().max(1e-9);
-    let side = Vec2::new(-inward.y, inward.x) * (0.5 * NOTCH_PITCH);
+    let side = Vec2::new(-inward.y, inward.x) * (0.5 * NOTCH_PITCH / NOTCH * long);
     for place in notch_places(notch) {
         let from = at + side * *place;
-        let to = from + inward * NOTCH;
+        let to = from + inward * long;
         sheet.line([from.x, from.y], [to.x, to.y], stroke.clone());
     }
 }

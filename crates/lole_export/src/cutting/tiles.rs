@@ -15,7 +15,9 @@ use lole_pattern::marker::{Lay, Marker, Nap, Placed, TableCloth, lay_out};
 use lole_pattern::piece::{ClothRole, CutCount, Finish, Piece};
 use lole_pattern::polygon::Polygon;
 
-use super::draw::{FullSize, PLACE_ON_FOLD, PieceLines, fitting, fold_stroke, outline};
+use super::draw::{
+    FullSize, PLACE_ON_FOLD, PieceLines, arrow, fitting, fold_stroke, marked_stroke, outline,
+};
 use super::label::Label;
 use super::stamp::{CODE, draw_bar};
 use super::{CutGarment, MM, TOLERANCE, cut_words};
@@ -586,7 +588,7 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
 
 /// What each kind of line means.
 fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
-    let rows: [(Stroke, &str, &str); 5] = [
+    let rows: [(Stroke, &str, &str); 4] = [
         (
             Stroke::solid(0.5),
             "裁ち切り線（ここを切る）",
@@ -599,14 +601,9 @@ fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
         ),
         (fold_stroke(), PLACE_ON_FOLD.japanese, PLACE_ON_FOLD.english),
         (
-            Stroke::solid(0.25),
+            marked_stroke(1.0),
             "折り線・付け位置など",
             "folds, placements",
-        ),
-        (
-            Stroke::solid(0.35),
-            "布目の矢印（耳と平行）",
-            "grain arrow, along the selvage",
         ),
     ];
     let style = TextStyle::regular(9.5);
@@ -621,6 +618,11 @@ fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
         );
         y += 11.0;
     }
+    let grain = [x, x + 18.0].map(|x| Point::new(x, y));
+    arrow(sheet, grain, &Stroke::solid(0.35));
+    let said = language.pick("布目の矢印（耳と平行）", "grain arrow, along the selvage");
+    sheet.text([x + 21.0, y + 1.2], said, &style, Align::Left);
+    y += 11.0;
     sheet.line([x + 9.0, y - 2.5], [x + 9.0, y + 2.5], Stroke::solid(0.5));
     let notch = language.pick("合印（切り込み 5 mm）", "notch, 5 mm into the edge");
     sheet.text([x + 21.0, y + 1.2], notch, &style, Align::Left);

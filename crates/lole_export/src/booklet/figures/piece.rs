@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use kurbo::{Affine, BezPath, Point, Shape as _};
 use lole_language::Language;
-use lole_pattern::piece::{LineKind, Mark, Piece};
+use lole_pattern::piece::{Drawing, LineKind, Mark, Piece};
 
 use super::{LABEL, placement};
 use crate::booklet::middle;
 use crate::booklet::style::{CLOTH, SEWN};
 use crate::canvas::Canvas;
-use crate::cutting::draw::{arrow, line, outline};
+use crate::cutting::draw::{arrow, draw_notch, line, outline};
 use crate::pdf::{Align, Color, Item, Rect, Sheet, Stroke, TextStyle};
 
 /// A piece, and what of it a step works on.
@@ -54,6 +54,7 @@ impl WorkedPiece<'_> {
             let stroke = Stroke::dashed(0.2, 1.5).with_color(Color::GRAY);
             sheet.path(line(&stitches.points, page), None, Some(stroke));
         }
+        notches(sheet, &drawing, page);
         let grain = drawing.grain.map(|end| page * end);
         if self.marks.is_empty() {
             arrow(sheet, grain, &Stroke::solid(0.3).with_color(Color::GRAY));
@@ -210,6 +211,16 @@ impl WorkedPiece<'_> {
         let level_of = |path: &BezPath| path.bounding_box().center().y;
         lines.sort_by(|(_, one), (_, other)| level_of(other).total_cmp(&level_of(one)));
         lines
+    }
+}
+
+/// The notches of a piece in a drawing of a step.
+pub(super) fn notches(sheet: &mut Sheet, drawing: &Drawing, page: Affine) {
+    /// As long as can be seen where pieces are small [mm].
+    const LONG: f64 = 2.4;
+    let stroke = Stroke::solid(0.5);
+    for notch in &drawing.notches {
+        draw_notch(sheet, notch, page, (&stroke, LONG));
     }
 }
 

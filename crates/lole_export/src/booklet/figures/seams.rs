@@ -4,6 +4,7 @@ use kurbo::Point;
 use lole_pattern::pattern::{Pattern, Seam};
 use lole_pattern::piece::{LineKind, Piece};
 
+use super::piece::notches;
 use super::section::levels;
 use super::{LABEL, placement};
 use crate::booklet::style::{ACCENT, CLOTH, INSIDE, SEWN};
@@ -22,6 +23,12 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, pattern: &Pattern, seams: &[usize]) 
             shown.push(seam);
         }
     }
+    if MOST < shown.len()
+        && let Some(common) = common(&shown)
+    {
+        draw_onto(canvas, pattern, (&shown, common));
+        return;
+    }
     shown.truncate(MOST);
     let rect = canvas.rect;
     let gap = 8.0;
@@ -35,6 +42,71 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, pattern: &Pattern, seams: &[usize]) 
         };
         draw_seam(&mut canvas.at(place), pattern, seam);
     }
+}
+
+/// The piece that all seams are of, where there is one alone.
+fn common(seams: &[&Seam]) -> Option<usize> {
+    let has = |seam: &Seam, piece: usize| [seam.flat.piece, seam.full.piece].contains(&piece);
+    let last = seams.last()?;
+    let mut found = vec![last.flat.piece, last.full.piece];
+    found.dedup();
+    found.retain(|&piece| seams.iter().all(|seam| has(seam, piece)));
+    match found[..] {
+        [only] => Some(only),
+        _ => None,
+    }
+}
+
+/// Many pieces that are sewn onto one, as a sleeve into its armhole: it is drawn once, with all of its edges.
+fn draw_onto(canvas: &mut Canvas<'_>, pattern: &Pattern, (seams, common): (&[&Seam], usize)) {
+    /// Share of the width that the one piece has, and the arrow before it.
+    const SHARES: [f64; 2] = [0.3, 0.09];
+    let rect = canvas.rect;
+    let Some(piece) = pattern.pieces.get(common) else {
+        return;
+    };
+    let [own, between] = SHARES.map(|share| share * rect.width);
+    let mut edges = Vec::new();
+    // A seam of the piece with itself, as that below the arm, is among its edges.
+    let own_seams = seams
+        .iter()
+        .filter(|seam| seam.flat.piece == seam.full.piece);
+    edges.extend(own_seams.flat_map(|seam| [seam.flat.edge, seam.full.edge]));
+    let others = || {
+        seams
+            .iter()
+            .filter(|seam| seam.flat.piece != seam.full.piece)
+    };
+    let count = f64::from(u32::try_from(others().count().max(1)).unwrap_or(1));
+    let width = (rect.width - own - between) / count;
+    for (index, seam) in (0_u32..).zip(others()) {
+        let (onto, side) = if seam.full.piece == common {
+            (seam.full, seam.flat)
+        } else {
+            (seam.flat, seam.full)
+        };
+        edges.push(onto.edge);
+        let place = Rect {
+            x: rect.x + f64::from(index) * width,
+            width: width - 3.0,
+            ..rect
+        };
+        if let Some(other) = pattern.pieces.get(side.piece) {
+            draw_side(&mut canvas.at(place), other, &[side.edge], width);
+        }
+    }
+    let place = Rect {
+        x: rect.x + rect.width - own,
+        width: own,
+        ..rect
+    };
+    draw_side(&mut canvas.at(place), piece, &edges, own);
+    let y = rect.y + 0.5 * rect.height;
+    let ends = [0.2, 0.8].map(|share| {
+        let right = rect.x + rect.width - own;
+        Point::new(right - between * (1.0 - share), y)
+    });
+    arrow(canvas.sheet, ends, &Stroke::solid(0.5).with_color(ACCENT));
 }
 
 fn draw_seam(canvas: &mut Canvas<'_>, pattern: &Pattern, seam: &Seam) {
@@ -86,6 +158,16 @@ fn draw_side(canvas: &mut Canvas<'_>, piece: &Piece, edges: &[usize], most: f64)
     let page = placement(piece, place);
     let cut = outline(&piece.cut_polygon(1e-3), page);
     sheet.path(cut, Some(CLOTH), Some(Stroke::solid(0.4)));
+    let drawing = piece.drawing(1e-3);
+    notches(sheet, &drawing, page);
+    let gathers = drawing
+        .lines
+        .iter()
+        .filter(|it| it.kind == LineKind::Gather);
+    for gathers in gathers {
+        let stroke = Stroke::dashed(0.5, 1.2).with_color(SEWN);
+        sheet.path(line(&gathers.points, page), None, Some(stroke));
+    }
     for edge in edges.iter().filter_map(|&edge| piece.edges.get(edge)) {
         let stroke = Stroke::solid(0.9).with_color(SEWN);
         sheet.path(line(&edge.points(1e-3), page), None, Some(stroke));
