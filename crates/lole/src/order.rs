@@ -295,8 +295,12 @@ fn prints_lines(prints: &[PrintTotal], count: usize) -> Vec<Sentence> {
         .collect()
 }
 
-/// Name of the costume: that of its document.
+/// Name of the costume: its title, or that of its document.
 pub(crate) fn title(source: &Source) -> String {
+    let own = source.design.stage.title.trim();
+    if !own.is_empty() {
+        return printable(own);
+    }
     let stem = Path::new(&source.name).file_stem();
     let is_document = !source.text.is_empty();
     match stem.filter(|_| is_document) {

@@ -1,5 +1,6 @@
 //! Everything that an order's folder holds, as bytes.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use lole_body::{Dancer, Measurements};
@@ -7,14 +8,14 @@ use lole_costume::cost::{self, Bill};
 use lole_costume::document::Design;
 use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
 use lole_costume::tailoring::{self, DraftedBy};
-use lole_language::Language;
+use lole_language::{Language, Sentence};
 use rayon::prelude::*;
 
 use super::{Order, order_json, order_sheets};
 use crate::ExportError;
 use crate::booklet::{Booklet, Worn, booklet_sheets};
 use crate::cutting::{CutGarment, Stamp, tiled_sheets};
-use crate::pdf::{Document, EncodedPicture, Paper, Sheet};
+use crate::pdf::{Document, EncodedPicture, Paper, Sheet, missing_glyphs};
 
 /// What an order is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,10 +115,17 @@ pub fn order_folder(
     let prints = order::prints(plans, design, parts.settings);
     let mut notes = parts.group.notes.clone();
     notes.extend(parts.group.warnings());
+    let named = paper_names(plans);
+    if let Cow::Owned(_) = named {
+        notes.push(Sentence::new(
+            "紙に印刷できない文字は〓です。その名前の前の数字は、名簿で何人目かです。",
+            "letters that cannot be printed stand as 〓; the number before such a name is her place in the list",
+        ));
+    }
     let order = Order {
         title: parts.title.clone(),
         hem_height_cm: design.costume_hem_cm(),
-        plans,
+        plans: &named,
         pictures: parts.pictures,
         prints: &prints,
         notions: &order::notions(plans, parts.settings),
@@ -134,14 +142,15 @@ pub fn order_folder(
         "order.pdf".to_owned(),
         pdf(order_sheets(&order, paper, language))?,
     )];
-    if let Some(sheets) = booklet_of(parts, &bills) {
+    if let Some(sheets) = booklet_of(parts, (&named, &bills)) {
         files.push(("booklet.pdf".to_owned(), pdf(sheets)?));
     }
-    files.extend(paper_patterns(parts, goes_on)?);
+    files.extend(paper_patterns(parts, &named, goes_on)?);
     let mut names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
     names.push(ORDER_JSON);
     names.extend(parts.kept_files.iter().map(String::as_str));
-    let json = order_json(&order, parts.version, &names)?;
+    let as_listed = Order { plans, ..order };
+    let json = order_json(&as_listed, parts.version, &names)?;
     files.push((ORDER_JSON.to_owned(), json.clone().into_bytes()));
     Ok(OrderFolder {
         files,
@@ -150,9 +159,29 @@ pub fn order_folder(
     })
 }
 
+/// The plans with names that can be told apart on paper: before one with letters that cannot be printed stands its
+/// number.
+fn paper_names(plans: &[DancerPlan]) -> Cow<'_, [DancerPlan]> {
+    let is_unprintable = |plan: &DancerPlan| !missing_glyphs(&plan.name).is_empty();
+    if !plans.iter().any(is_unprintable) {
+        return Cow::Borrowed(plans);
+    }
+    let named = (1..).zip(plans).map(|(number, plan)| {
+        let mut plan = plan.clone();
+        if is_unprintable(&plan) {
+            plan.name = format!("{number} {}", plan.name);
+        }
+        plan
+    });
+    Cow::Owned(named.collect())
+}
+
 /// How the costume is sewn, with the first dancer's lengths; `None` where there are no dancers.
-fn booklet_of(parts: &OrderParts<'_>, bills: &[Bill]) -> Option<Vec<Sheet>> {
-    let (design, plans) = (parts.design, &parts.group.plans);
+fn booklet_of(
+    parts: &OrderParts<'_>,
+    (plans, bills): (&[DancerPlan], &[Bill]),
+) -> Option<Vec<Sheet>> {
+    let design = parts.design;
     // A picture that was not read leaves the plans without it.
     let images = design.cut_print_images(PRINT_SIDE).unwrap_or_default();
     let images: Vec<_> = images.into_iter().map(Arc::new).collect();
@@ -184,6 +213,7 @@ fn drafted_by(design: &Design) -> DraftedBy {
 /// A file of patterns at full size for every dancer whose garments are not all drawn by ruler.
 fn paper_patterns(
     parts: &OrderParts<'_>,
+    plans: &[DancerPlan],
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<(String, Vec<u8>)>, ExportError> {
     let (paper, language) = (parts.paper, parts.language);
@@ -197,15 +227,15 @@ fn paper_patterns(
         if sheets.is_empty() {
             return Ok(None);
         }
-        let title = format!("{}: {}", parts.title, plan.name);
+        let as_listed = parts.group.plans.get(index).unwrap_or(plan);
+        let title = format!("{}: {}", parts.title, as_listed.name);
         let document = Document::new(&title, language, sheets);
         let size = paper.name().to_ascii_lowercase();
-        let (number, who) = (index + 1, file_word(&plan.name));
+        let (number, who) = (index + 1, file_word(&as_listed.name));
         let name = format!("{PATTERN_FILES}{number:03}-{who}-{size}.pdf");
         Ok(Some((name, document.to_bytes()?)))
     };
-    let plans = parts.group.plans.par_iter();
-    let files: Result<Vec<_>, ExportError> = plans.enumerate().map(of_dancer).collect();
+    let files: Result<Vec<_>, ExportError> = plans.par_iter().enumerate().map(of_dancer).collect();
     Ok(files?.into_iter().flatten().collect())
 }
 
@@ -243,6 +273,22 @@ fn file_word(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_that_cannot_be_printed_are_told_apart_by_their_numbers() {
+        let design = Design::default();
+        let plan = order::plan_design("花子", &design).unwrap_or_else(|error| panic!("{error}"));
+        let called = |name: &str| DancerPlan {
+            name: name.to_owned(),
+            ..plan.clone()
+        };
+        let plain = [called("花子"), called("Lei")];
+        assert!(matches!(paper_names(&plain), Cow::Borrowed(_)));
+        let mixed = [called("花子"), called("김수"), called("박민")];
+        let named = paper_names(&mixed);
+        let names: Vec<&str> = named.iter().map(|plan| plan.name.as_str()).collect();
+        assert_eq!(names, ["花子", "2 김수", "3 박민"]);
+    }
 
     /// Only what an earlier list names goes, and only names that orders give.
     #[test]

@@ -62,6 +62,10 @@ impl App {
 
     /// What the costume is called on paper.
     pub(super) fn title(&self) -> String {
+        let own = self.studio.design().stage.title.trim();
+        if !own.is_empty() {
+            return own.to_owned();
+        }
         let stem = self.studio.path().and_then(Path::file_stem);
         stem.map_or_else(
             || "Pāʻū".to_owned(),

@@ -427,8 +427,8 @@ const STAGE: Table = Table {
         Key {
             name: "title",
             about: words(
-                "動画のはじめに出す題名",
-                "what is written over the beginning of a film",
+                "動画のはじめに出し、本・注文書・型紙に書く題名。なければファイルの名前",
+                "what is written over the beginning of a film, and on booklets, orders and patterns instead of the file's name",
             ),
             kind: Kind::Text {
                 what: words("題名", "title"),
