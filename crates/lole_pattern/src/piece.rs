@@ -147,6 +147,8 @@ pub enum LineKind {
     Slit,
     /// Where parts meet that a piece is joined of.
     Join,
+    /// Where a piece is cut open and spread, or folded, to be longer or shorter.
+    Adjust,
 }
 
 impl LineKind {
@@ -165,6 +167,7 @@ impl LineKind {
             Self::Placement => words("付け位置", "placement"),
             Self::Slit => words("切り込み", "slit"),
             Self::Join => words("はぎ", "join"),
+            Self::Adjust => words("丈を変えるならここで", "lengthen or shorten here"),
         }
     }
 }

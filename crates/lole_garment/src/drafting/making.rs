@@ -8,8 +8,9 @@ use lole_pattern::pattern::{
     Amount, FinishedMeasure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
     StepFigure, THREAD_PER_STITCH, WrapPart,
 };
-use lole_pattern::piece::{Finish, Piece};
+use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
 
+use super::shape::marked;
 use super::work::{self, Work};
 
 /// A sentence in both languages from two format strings, Japanese first.
@@ -180,6 +181,34 @@ pub(crate) fn stitches(pieces: &[Piece], seams: &[Seam]) -> f64 {
     pieces.iter().map(stitched).sum::<f64>() + gathers.sum::<f64>()
 }
 
+/// Where a shaped piece is made longer or shorter without touching what is sewn across it: level, at the middle of
+/// its side seam; `None` where it has none or is too short for it.
+fn adjustment(piece: &Piece) -> Option<Mark> {
+    /// A shorter side leaves no room above and below [m].
+    const LEAST: f64 = 0.12;
+    /// Lines are this near to curves [m].
+    const TOLERANCE: f64 = 1.0e-4;
+    let side = piece.edges.iter().find(|edge| edge.id.ends_with("side"))?;
+    if side.length() < LEAST || piece.drawing(TOLERANCE).rectangle.is_some() {
+        return None;
+    }
+    let (middle, _) = side.place(0.5 * side.length())?;
+    let edges = piece.edges.iter().map(|edge| edge.points(TOLERANCE));
+    let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
+    for points in edges {
+        for pair in points.windows(2) {
+            let [from, to] = [pair[0], pair[1]];
+            if (from.y - middle.y) * (to.y - middle.y) <= 0.0 && from.y != to.y {
+                let share = (middle.y - from.y) / (to.y - from.y);
+                let x = from.x + share * (to.x - from.x);
+                ends = [ends[0].min(x), ends[1].max(x)];
+            }
+        }
+    }
+    let line = ends.map(|x| kurbo::Point::new(x, middle.y));
+    (ends[0] < ends[1]).then(|| marked(LineKind::Adjust, &line))
+}
+
 /// A pattern, its seams marked on both sides and its thread counted from its own edges and seams.
 pub(crate) fn pattern(
     pieces: Vec<Piece>,
@@ -188,6 +217,10 @@ pub(crate) fn pattern(
     steps: Vec<Step>,
 ) -> Pattern {
     let thread = stitches(&pieces, &seams) * THREAD_PER_STITCH;
+    let mut pieces = pieces;
+    for piece in &mut pieces {
+        piece.marks.extend(adjustment(piece));
+    }
     let mut notions = notions;
     if 0.0 < thread {
         notions.push(notion(

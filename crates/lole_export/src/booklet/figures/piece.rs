@@ -243,6 +243,7 @@ const fn short_name(kind: LineKind, language: Language) -> &'static str {
         LineKind::Placement => ("付け位置", "placement"),
         LineKind::Slit => ("切り込み", "slit"),
         LineKind::Join => ("はぎ", "join"),
+        LineKind::Adjust => ("丈の調整", "length"),
     };
     language.pick(japanese, english)
 }
