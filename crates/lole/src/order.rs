@@ -105,6 +105,12 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         let lines = prints_lines(&folder.prints, group.plans.len());
         let mut notes = group.notes.clone();
         notes.extend(group.warnings());
+        notes.extend(
+            folder
+                .prints
+                .iter()
+                .filter_map(|print| short_bolt(print, &group.plans)),
+        );
         notes.extend(stayed);
         let names = group.plans.iter().map(|plan| plan.name.as_str());
         notes.extend(unprinted(names.chain([parts.title.as_str()])));
@@ -293,6 +299,28 @@ fn prints_lines(prints: &[PrintTotal], count: usize) -> Vec<Sentence> {
             )
         })
         .collect()
+}
+
+/// Who needs more than one bolt holds.
+fn short_bolt(print: &PrintTotal, plans: &[DancerPlan]) -> Option<Sentence> {
+    let (first, others) = print.longer_than_bolt.split_first()?;
+    let name = plans.get(*first).map_or("", |plan| plan.name.as_str());
+    let (cloth, more) = (print.cloth, others.len());
+    let [japanese, english] = if more == 0 {
+        [String::new(), String::new()]
+    } else {
+        [format!(" ほか {more} 人"), format!(" and {more} more")]
+    };
+    Some(Sentence::new(
+        format!(
+            "{name}{japanese}: {}は一反では足りません。はぎ合わせるか、長い反物をさがしてください",
+            cloth.japanese
+        ),
+        format!(
+            "{name}{english}: one bolt of {} is too short; join two lengths, or find a longer bolt",
+            cloth.english
+        ),
+    ))
 }
 
 /// Name of the costume: its title, or that of its document.

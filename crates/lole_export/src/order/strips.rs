@@ -33,7 +33,18 @@ pub(super) fn write(flow: &mut Flow, order: &Order<'_>, print: &PrintTotal, lang
             .iter()
             .map(|&strip| print.strips[strip].length.to_m())
             .sum();
-        let names: Vec<&str> = dancers(print, bolt).into_iter().map(name).collect();
+        // Strips that several share are told one by one below.
+        let names: Vec<String> = if is_shared {
+            let dancers = dancers(print, bolt).into_iter();
+            dancers.map(|dancer| name(dancer).to_owned()).collect()
+        } else {
+            let strips = bolt.iter().map(|&strip| &print.strips[strip]);
+            let alone = strips.map(|strip| {
+                let who = strip.shares.first().map_or("", |share| name(share.dancer));
+                format!("{who} {:.2} m", strip.length.to_m())
+            });
+            alone.collect()
+        };
         let names = names.join(language.pick("、", ", "));
         line(&match language {
             Language::Japanese => format!("{number} 反目から {cut:.2} m: {names}"),
