@@ -2,6 +2,8 @@
 
 use lole_language::{Bilingual, Sentence, Words};
 
+use crate::Tailored;
+
 /// Why a draft cannot be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -96,6 +98,25 @@ pub enum DraftError {
         most_cm: f64,
         /// What else can be done, beginning with a comma; may be empty.
         remedy: Words,
+    },
+    /// A measure that was taken for drafting is not that of the body that was built from her tape.
+    #[error(
+        "{} is {cm:.1} cm, and a body of her other measures has {on_body_cm:.1} cm; measure the {} again, \
+         give {least_cm:.1} to {most_cm:.1} cm, or leave it out",
+        tailored.key(),
+        tailored.name().english
+    )]
+    Tailored {
+        /// Which measure.
+        tailored: Tailored,
+        /// What was given [cm].
+        cm: f64,
+        /// What the body has [cm].
+        on_body_cm: f64,
+        /// Smallest that is drafted [cm].
+        least_cm: f64,
+        /// Largest that is drafted [cm].
+        most_cm: f64,
     },
     /// A skirt would be worn around the legs.
     #[error(
@@ -203,6 +224,18 @@ impl Bilingual for DraftError {
                 "{}が {cm:.1} cm です。ほかの寸法のもとでこの服を製図できるのは \
                  {least_cm:.1}～{most_cm:.1} cm です。測り直してください{}",
                 what.japanese, remedy.japanese
+            ),
+            Self::Tailored {
+                tailored,
+                cm,
+                on_body_cm,
+                least_cm,
+                most_cm,
+            } => format!(
+                "{}（{}）が {cm:.1} cm ですが、ほかの寸法の体では {on_body_cm:.1} cm ほどです。測り直して \
+                 {least_cm:.1}～{most_cm:.1} cm を書くか、消してください",
+                tailored.key(),
+                tailored.name().japanese
             ),
             Self::WornTooLow { worn_cm, least_cm } => format!(
                 "worn_height_cm が {worn_cm:.0} cm ですが、そこはもう脚です。{least_cm:.0} cm より上ではいてください"
