@@ -100,12 +100,7 @@ pub enum DraftError {
         remedy: Words,
     },
     /// A measure that was taken for drafting is not that of the body that was built from her tape.
-    #[error(
-        "{} is {cm:.1} cm, and a body of her other measures has {on_body_cm:.1} cm; measure the {} again, \
-         give {least_cm:.1} to {most_cm:.1} cm, or leave it out",
-        tailored.key(),
-        tailored.name().english
-    )]
+    #[error("{}", not_hers(*tailored, [*cm, *on_body_cm, *least_cm, *most_cm]).english)]
     Tailored {
         /// Which measure.
         tailored: Tailored,
@@ -166,6 +161,21 @@ fn too_short([hem, finished, band]: [f64; 3]) -> Sentence {
         ),
         format!(
             "the hem at {hem:.1} cm above the floor leaves {finished:.1} cm from the upper edge to the hem, which is no longer than the {band:.1} cm of the upper part; lower the hem or wear it higher"
+        ),
+    )
+}
+
+/// A measure that is not that of her body, what was given, what the body has, and what can be had [cm].
+fn not_hers(tailored: Tailored, [cm, on_body, least, most]: [f64; 4]) -> Sentence {
+    let (key, name) = (tailored.key(), tailored.name());
+    Sentence::new(
+        format!(
+            "{key}（{}）が {cm:.1} cm ですが、ほかの寸法の体では {on_body:.1} cm ほどです。測り直して {least:.1}～{most:.1} cm を書くか、消してください",
+            name.japanese
+        ),
+        format!(
+            "{key} is {cm:.1} cm, and a body of her other measures has {on_body:.1} cm; measure the {} again and give {least:.1} to {most:.1} cm, or leave it out",
+            name.english
         ),
     )
 }
@@ -231,12 +241,7 @@ impl Bilingual for DraftError {
                 on_body_cm,
                 least_cm,
                 most_cm,
-            } => format!(
-                "{}（{}）が {cm:.1} cm ですが、ほかの寸法の体では {on_body_cm:.1} cm ほどです。測り直して \
-                 {least_cm:.1}～{most_cm:.1} cm を書くか、消してください",
-                tailored.key(),
-                tailored.name().japanese
-            ),
+            } => not_hers(*tailored, [*cm, *on_body_cm, *least_cm, *most_cm]).japanese,
             Self::WornTooLow { worn_cm, least_cm } => format!(
                 "worn_height_cm が {worn_cm:.0} cm ですが、そこはもう脚です。{least_cm:.0} cm より上ではいてください"
             ),
