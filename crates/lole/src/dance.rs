@@ -15,8 +15,10 @@ use lole_export::report::{PageFilm, ReportFile};
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{ImageView, still};
 use lole_files::OutputFolder;
+use lole_garment::dress::DressError;
 use lole_hula::DanceStep;
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
+use lole_pattern::DraftError;
 use lole_picture::baked::{self, Keys};
 use lole_picture::film::{FILM_RATE, FRAMES_PER_PICTURE, FilmCamera};
 use lole_picture::studio::{PhotoStudio, STILLS, still_cameras};
@@ -145,12 +147,25 @@ pub(crate) fn place_of(error: &StageError) -> Place<'static> {
         }
         StageError::Recording { .. } | StageError::RecordingNotRead { .. } => ("motion", "file"),
         StageError::Draft(_) | StageError::Sew(_) => ("skirt", ""),
+        StageError::Garment { error, .. } if tailored_key(error).is_some() => {
+            ("dancer", tailored_key(error).unwrap_or_default())
+        }
         StageError::Garment { .. } | StageError::Dress(_) | StageError::Strands(_) => {
             ("garment", "")
         }
         StageError::Build(_) => ("fabric", ""),
     };
     Place { table, key }
+}
+
+/// The key of `[dancer]` that is the cause, where what was taken of her is.
+const fn tailored_key(error: &StageError) -> Option<&'static str> {
+    match error {
+        StageError::Dress(DressError::Draft(DraftError::Tailored { tailored, .. })) => {
+            Some(tailored.key())
+        }
+        _ => None,
+    }
 }
 
 struct Run<'a> {

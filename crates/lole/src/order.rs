@@ -15,7 +15,7 @@ use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster, RosterError};
 use lole_costume::tailoring;
 use lole_export::booklet::{Booklet, bill_remarks, booklet_sheets};
-use lole_export::form::form_sheet;
+use lole_export::form::form_sheets;
 use lole_export::order::{
     ORDER_JSON, OrderParts, PATTERN_FILES, PICTURE_FOLDER, bill_json, left_behind, listed_files,
     order_folder,
@@ -353,7 +353,14 @@ fn own_plan(source: &Source) -> Result<(Dancer, DancerPlan), Failure> {
         if error.is_too_wide() {
             return Failure::error(Sentence::of(&error));
         }
-        located("skirt", Sentence::of(&error))
+        let sentence = Sentence::of(&error);
+        match error.dancer_key() {
+            Some(key) => {
+                let table = "dancer";
+                source.located(Place { table, key }, sentence)
+            }
+            None => located("skirt", sentence),
+        }
     })?;
     Ok((dancer, plan))
 }
@@ -412,11 +419,11 @@ pub(crate) fn run_form(args: &FormArgs, language: Language) -> Result<(), Failur
         Some(path) => roster::names(&read_list(path)?).map_err(|error| no_list(path, &error))?,
     };
     let sheets = if args.roster.is_none() {
-        vec![form_sheet(None, paper, pages)]
+        form_sheets(None, paper, pages).into()
     } else {
         let sheets = names
             .iter()
-            .map(|name| form_sheet(Some(name), paper, pages));
+            .flat_map(|name| form_sheets(Some(name), paper, pages));
         sheets.collect()
     };
     let notes: Vec<Sentence> = unprinted(names.iter().map(String::as_str))

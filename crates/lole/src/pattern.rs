@@ -152,12 +152,12 @@ fn draft(source: &Source) -> Result<Vec<GarmentPattern>, Failure> {
         if error.is_too_wide() {
             return Failure::error(Sentence::of(&error));
         }
-        let table = if error.place.is_some() {
-            "garment"
-        } else {
-            "skirt"
+        let (table, key) = match (error.dancer_key(), error.place) {
+            (Some(key), _) => ("dancer", key),
+            (None, Some(_)) => ("garment", ""),
+            (None, None) => ("skirt", ""),
         };
-        source.located(Place { table, key: "" }, Sentence::of(&error))
+        source.located(Place { table, key }, Sentence::of(&error))
     })
 }
 

@@ -5,6 +5,7 @@ use std::path::Path;
 use lole_body::Measure;
 use lole_costume::document::{self, Design, Place};
 use lole_language::Sentence;
+use lole_pattern::TailorTape;
 
 use crate::Failure;
 
@@ -91,6 +92,7 @@ impl Source {
         for measure in Measure::ALL {
             *dancer.measure_mut(measure) = None;
         }
+        dancer.tailor_tape = TailorTape::NONE;
         for taken in &body.measures {
             *dancer.measure_mut(taken.measure) = Some((100.0 * taken.cm).round() / 100.0);
         }

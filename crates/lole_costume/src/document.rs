@@ -34,7 +34,7 @@ use lole_hula::{
 };
 
 use crate::fabrics::Preset;
-use lole_pattern::Alterations;
+use lole_pattern::{Alterations, TailorTape};
 use lole_print::{PrintLay, PrintMotif};
 
 pub use cost::{CostDesign, Currency, NotionPrices};
@@ -118,6 +118,8 @@ pub struct DancerDesign {
     pub shoulder_breadth_cm: Option<f64>,
     /// Shoulder point to elbow [cm].
     pub upper_arm_length_cm: Option<f64>,
+    /// What was taken for drafting, and no body is built from.
+    pub tailor_tape: TailorTape,
     /// How old she looks [years]; as her measures say when `None`.
     pub age_years: Option<f64>,
     /// How the hair is worn.

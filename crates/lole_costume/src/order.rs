@@ -155,6 +155,15 @@ impl PlanError {
     pub fn is_too_wide(&self) -> bool {
         matches!(self, Self::Tailoring(error) if error.is_too_wide())
     }
+
+    /// The key of `[dancer]` that is the cause, where what was taken of her is.
+    #[must_use]
+    pub fn dancer_key(&self) -> Option<&'static str> {
+        match self {
+            Self::Tailoring(error) => error.dancer_key(),
+            Self::Body(_) => None,
+        }
+    }
 }
 
 impl Bilingual for PlanError {

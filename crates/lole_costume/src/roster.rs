@@ -24,7 +24,7 @@ mod workbook;
 use lole_body::{Figure, Measure, Measurements};
 use lole_garment::template::OptionKind;
 use lole_language::{Bilingual, Sentence, Words};
-use lole_pattern::{Alteration, Alterations};
+use lole_pattern::{Alteration, Alterations, TailorTape, Tailored};
 
 use crate::document::Design;
 use cells::{Record, Separator};
@@ -62,6 +62,8 @@ pub struct RosterDancer {
     pub age_years: Option<f64>,
     /// How fitted garments are altered for her, as a trial has shown.
     pub alterations: Alterations,
+    /// What was taken for drafting, and no body is built from.
+    pub tailor_tape: TailorTape,
     /// What the tape said [cm], in the order of [`Measure::ALL`]. The hip is among them.
     pub tape_cm: Vec<(Measure, f64)>,
 }
@@ -235,6 +237,7 @@ impl RosterDancer {
         }
         // What a trial has shown of one body is nothing to another.
         worn.alterations = self.alterations;
+        worn.dancer.tailor_tape = self.tailor_tape;
         if worn.face.is_unchosen() {
             worn.face.seed = seed_of(&self.name);
         }
@@ -492,7 +495,7 @@ pub fn read(bytes: &[u8]) -> Result<Roster, RosterError> {
 fn settle_units(columns: &mut [Column], rows: &[Record], separator: Separator) -> Vec<Sentence> {
     let mut notes = Vec::new();
     for column in columns.iter_mut() {
-        let Meaning::Measure(measure) = column.meaning else {
+        let Some(band) = column.meaning.taped_cm() else {
             continue;
         };
         if column.unit.is_some() {
@@ -505,7 +508,7 @@ fn settle_units(columns: &mut [Column], rows: &[Record], separator: Separator) -
                 _ => None,
             })
             .collect();
-        let fits = |unit: Unit| move |number: &f64| lengths::fits(measure, unit.to_cm(*number));
+        let fits = |unit: Unit| move |number: &f64| lengths::fits(band, unit.to_cm(*number));
         let are_inches = !plain.is_empty()
             && plain.iter().all(fits(Unit::Inch))
             && !plain.iter().any(fits(Unit::Centimeter));
@@ -534,6 +537,7 @@ fn dancer(
         figure: None,
         age_years: None,
         alterations: Alterations::NONE,
+        tailor_tape: TailorTape::NONE,
         tape_cm: Vec::new(),
     };
     let mut problems = Vec::new();
@@ -550,8 +554,11 @@ fn dancer(
             Meaning::Alteration(one) => alteration(cell, one, column.unit, separator).map(|cm| {
                 dancer.alterations = dancer.alterations.with_cm(one, cm);
             }),
-            Meaning::Measure(measure) => length(cell, measure, column.unit, separator)
+            Meaning::Measure(measure) => length(cell, column, measure.band_cm(), separator)
                 .map(|cm| dancer.tape_cm.extend(cm.map(|cm| (measure, cm)))),
+            Meaning::Tailored(one) => length(cell, column, one.band_cm(), separator).map(|cm| {
+                dancer.tailor_tape = dancer.tailor_tape.with_cm(one, cm);
+            }),
         };
         if let Err(what) = read {
             problems.push(RowProblem {
@@ -618,14 +625,13 @@ fn figure(cell: &str) -> Result<Option<Figure>, Sentence> {
 /// A length in centimeters; `None` of an empty cell that can be estimated.
 fn length(
     cell: &str,
-    measure: Measure,
-    unit: Option<Unit>,
+    column: &Column,
+    band: [f64; 2],
     separator: Separator,
 ) -> Result<Option<f64>, Sentence> {
-    let words = measure.words();
-    let [least, most] = measure.band_cm();
+    let (words, unit) = (column.meaning.words(), column.unit);
     let cm = match lengths::read(cell, separator) {
-        Reading::Empty if measure == Measure::Hip => {
+        Reading::Empty if column.meaning == Meaning::Measure(Measure::Hip) => {
             return Err(Sentence::new(
                 "空です。ヒップはかならず測ってください",
                 "it is empty; the hip must be measured",
@@ -646,8 +652,8 @@ fn length(
                 Some(Unit::Inch) => Some(Unit::Centimeter),
                 Some(_) => None,
             };
-            let other = other.filter(|other| lengths::fits(measure, other.to_cm(number)));
-            if let (false, Some(other)) = (lengths::fits(measure, cm), other) {
+            let other = other.filter(|other| lengths::fits(band, other.to_cm(number)));
+            if let (false, Some(other)) = (lengths::fits(band, cm), other) {
                 let (unit, name) = (other.abbreviation(), other.name());
                 return Err(Sentence::new(
                     format!(
@@ -663,20 +669,38 @@ fn length(
             cm
         }
     };
-    if lengths::fits(measure, cm) {
-        Ok(Some(cm))
-    } else {
-        Err(Sentence::new(
-            format!(
-                "{}が {cm:.1} cm です。{least}～{most} cm のはずです。測りなおすか、単位をたしかめてください",
-                words.japanese
-            ),
-            format!(
-                "the {} is {cm:.1} cm, but a dancer's lies between {least} and {most} cm; measure again or check the unit",
-                words.english
-            ),
-        ))
+    if lengths::fits(band, cm) {
+        return Ok(Some(cm));
     }
+    Err(unfit(column.meaning, cm, band))
+}
+
+/// A length that nobody has.
+fn unfit(meaning: Meaning, cm: f64, [least, most]: [f64; 2]) -> Sentence {
+    let words = meaning.words();
+    // The two are one letter apart, and often mistaken for each other.
+    let is_stature = meaning == Meaning::Tailored(Tailored::BackLength)
+        && lengths::fits(Measure::Stature.band_cm(), cm);
+    if is_stature {
+        return Sentence::new(
+            format!(
+                "背丈が {cm:.1} cm です。背丈は首の後ろの骨からウエストまでの長さです。身長なら、列の見出しを「身長」にしてください"
+            ),
+            format!(
+                "the back length is {cm:.1} cm, but it goes from the nape to the waist; if it is the stature, call the column so (身長)"
+            ),
+        );
+    }
+    Sentence::new(
+        format!(
+            "{}が {cm:.1} cm です。{least}～{most} cm のはずです。測りなおすか、単位をたしかめてください",
+            words.japanese
+        ),
+        format!(
+            "the {} is {cm:.1} cm, but a dancer's lies between {least} and {most} cm; measure again or check the unit",
+            words.english
+        ),
+    )
 }
 
 /// How much of an alteration a cell says [cm], which may be less than nothing; nothing of an empty one.

@@ -132,6 +132,15 @@ impl TailoringError {
     pub fn is_too_wide(&self) -> bool {
         matches!(*self.error, DraftError::WiderThanCloth { .. })
     }
+
+    /// The key of `[dancer]` that is the cause, where what was taken of her is.
+    #[must_use]
+    pub fn dancer_key(&self) -> Option<&'static str> {
+        match *self.error {
+            DraftError::Tailored { tailored, .. } => Some(tailored.key()),
+            _ => None,
+        }
+    }
 }
 
 impl Bilingual for TailoringError {
@@ -159,19 +168,19 @@ pub fn drafts_of(
     design: &Design,
     dancer: &Dancer,
 ) -> Vec<(Option<usize>, Result<GarmentPattern, TailoringError>)> {
-    let measures = measures(dancer);
+    let measures = design.dancer.tailor_tape.over(measures(dancer));
     let mut drafts = Vec::new();
     let mut ids: Vec<String> = Vec::new();
     let mut add = |place: Option<usize>, garment: &GarmentDesign| {
         let layer = place.map(|_| garment.layer);
-        let fitting = fitting(design, (dancer, &measures), (layer, garment));
         let name = garment.template.name_in(layer);
         let file_name = garment.template.file_name_in(layer);
         let id = numbered(&file_name, ids.iter().map(String::as_str));
         ids.push(id.clone());
         let cloth = Cloth::of(&garment.fabric, &garment.print);
         let on_table = |role| cloth.in_role(role, Lay::Single, None);
-        let drafted = garment.pattern(&fitting);
+        let drafted = (measures.as_ref().map_err(Clone::clone))
+            .and_then(|taken| garment.pattern(&fitting(design, (dancer, taken), (layer, garment))));
         let draft = match drafted.and_then(|pattern| fit_to_cloth(pattern, on_table)) {
             Ok(fitted) => Ok(GarmentPattern {
                 template: garment.template,
@@ -316,9 +325,10 @@ fn skirt_edge(skirt: &SkirtDesign, dancer: &Dancer) -> Length {
 #[cfg(test)]
 mod tests {
     use lole_body::Measurements;
-    use lole_pattern::{Alteration, Measure};
+    use lole_pattern::{Alteration, Measure, TailorTape, Tailored};
 
     use super::*;
+    use crate::document::{parse, to_toml};
 
     fn patterns(design: &Design) -> Vec<GarmentPattern> {
         let measurements = Measurements::from_tape(&design.tape()).unwrap();
@@ -400,6 +410,84 @@ mod tests {
         }
         assert!(used("skirt").is_empty() && used("malo").is_empty());
     }
+
+    /// A design of much that is drafted, for one of these dancers.
+    fn many_for([stature, bust, waist, hip]: [f64; 4]) -> Design {
+        let mut design = Design::default();
+        let tape = &mut design.dancer;
+        (tape.stature_cm, tape.bust_cm) = (Some(stature), Some(bust));
+        (tape.waist_cm, tape.hip_cm) = (Some(waist), Some(hip));
+        let kinds = ["blouse", "muumuu", "holoku", "malo", "lei-poo", "kupee"];
+        let listed = kinds.into_iter().filter_map(GarmentDesign::of_kind);
+        design.garments = listed.collect();
+        design
+    }
+
+    fn built(design: &Design) -> Dancer {
+        let measurements = Measurements::from_tape(&design.tape()).unwrap();
+        Dancer::to_measure(&measurements, &design.appearance()).unwrap()
+    }
+
+    /// What is written down as it is measured on her cuts what is cut without it, through the document, too.
+    #[test]
+    fn taking_what_she_has_cuts_the_same() {
+        for body in DANCERS {
+            let design = many_for(body);
+            let dancer = built(&design);
+            let own = measures(&dancer);
+            let mut taken = design.clone();
+            for one in Tailored::ALL {
+                let cm = Some(one.measure().of(&own).to_cm());
+                taken.dancer.tailor_tape = taken.dancer.tailor_tape.with_cm(one, cm);
+            }
+            let read = parse(&to_toml(&taken), "taken").unwrap();
+            assert_eq!(read, taken);
+            let [before, after] =
+                [&design, &read].map(|design| patterns_of(design, &dancer).unwrap());
+            for (one, other) in before.iter().zip(&after) {
+                let edges = |garment: &GarmentPattern| -> Vec<f64> {
+                    let pieces = garment.pattern.pieces.iter();
+                    let edges = pieces.flat_map(|piece| &piece.edges);
+                    edges.map(lole_pattern::piece::Edge::length).collect()
+                };
+                let (one, other) = (edges(one), edges(other));
+                assert_eq!(one.len(), other.len());
+                let mut pairs = one.iter().zip(&other);
+                assert!(pairs.all(|(a, b)| (a - b).abs() < 1.0e-5), "{body:?}");
+            }
+        }
+    }
+
+    /// What is not of her body is refused by its key, in whatever garment; the nearest that is said is drafted.
+    #[test]
+    fn what_is_too_far_from_her_body_is_refused_by_its_key() {
+        for body in DANCERS {
+            let design = many_for(body);
+            let dancer = built(&design);
+            let own = measures(&dancer);
+            for one in Tailored::ALL {
+                let [least, most] = one.room_cm(one.measure().of(&own).to_cm());
+                for (cm, is_fit) in [(least - 0.1, false), (least, true), (most + 0.1, false)] {
+                    let mut taken = design.clone();
+                    taken.dancer.tailor_tape = TailorTape::NONE.with_cm(one, Some(cm));
+                    let drafts = drafts_of(&taken, &dancer);
+                    let keys = drafts.iter().map(|(_, draft)| match draft {
+                        Ok(_) => None,
+                        Err(error) => error.dancer_key(),
+                    });
+                    let wanted = (!is_fit).then_some(one.key());
+                    assert!(keys.into_iter().all(|key| key == wanted), "{one:?} {cm}");
+                }
+            }
+        }
+    }
+
+    const DANCERS: [[f64; 4]; 4] = [
+        [112.0, 58.0, 53.0, 61.0],
+        [149.0, 76.0, 60.0, 84.0],
+        [159.0, 104.0, 92.0, 112.0],
+        [172.0, 90.0, 71.0, 98.0],
+    ];
 
     /// The worked example of the makers: hip 91.4 cm, four times its cloth.
     #[test]

@@ -3,6 +3,7 @@
 
 use lole_costume::document::schema::{Kind, TABLES};
 use lole_costume::document::{Design, MethodName, Place, locate, parse, parse_bytes, to_toml};
+use lole_pattern::{TailorTape, Tailored};
 use proptest::prelude::*;
 
 /// The sentence for a document that must be refused.
@@ -339,6 +340,35 @@ fn every_key_ends_in_its_unit_or_says_that_it_has_none() {
     }
 }
 
+/// What patterns alone go by goes with any tape.
+fn is_tailored(name: &str) -> bool {
+    Tailored::ALL.iter().any(|tailored| tailored.key() == name)
+}
+
+/// What is taken for drafting reads back to the last bit, and is left out where it was not taken; an avatar has
+/// its own.
+#[test]
+fn what_is_taken_for_drafting_reads_back_alone() {
+    for tailored in Tailored::ALL {
+        let [least, most] = tailored.band_cm();
+        for cm in [least, 0.3 * least + 0.7 * most, most] {
+            let text = with_line("dancer", &format!("{} = {cm:?}", tailored.key()));
+            let design = parse(&text, "mine.lole").unwrap();
+            let taken = TailorTape::NONE.with_cm(tailored, Some(cm));
+            assert_eq!(design.dancer.tailor_tape, taken);
+            assert_eq!(parse(&to_toml(&design), "again").unwrap(), design);
+            let with_file = format!("{text}file = \"hina.vrm\"\n");
+            assert!(sentence(&with_file).contains(tailored.key()), "{with_file}");
+        }
+        for cm in [least - 0.1, most + 0.1] {
+            let text = with_line("dancer", &format!("{} = {cm}", tailored.key()));
+            let place = format!("mine.lole:4: [dancer] {}: ", tailored.key());
+            assert!(sentence(&text).starts_with(&place), "{text}");
+        }
+        assert!(!to_toml(&Design::default()).contains(tailored.key()));
+    }
+}
+
 /// Marks on a photo go together, and with a photo; their own tests vary them.
 fn is_photo_mark(name: &str) -> bool {
     name.starts_with("known_") || name.starts_with("crop_")
@@ -467,8 +497,8 @@ fn any_design() -> impl Strategy<Value = Design> {
                 .flat_map(|table| table.keys.iter().map(move |key| (table, key)));
             for ((table, key), (chosen, share, bits)) in keys.zip(choices) {
                 // The tape must fit together, so only its hip is varied here.
-                let together =
-                    (table.name == "dancer" && key.name != "hip_cm") || is_photo_mark(key.name);
+                let is_body = table.name == "dancer" && key.name != "hip_cm";
+                let together = (is_body && !is_tailored(key.name)) || is_photo_mark(key.name);
                 if !chosen || together {
                     continue;
                 }

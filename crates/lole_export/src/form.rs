@@ -1,9 +1,11 @@
-//! The form on which a dancer is measured: one page, a figure with the tapes, a place for each
-//! number. Its heads are those that `lole order` reads.
+//! The form on which a dancer is measured: a page with a figure, its tapes and a place for each number, and on
+//! the back what fitted garments are drafted by. Its heads are those that `lole order` reads.
 
 use kurbo::{Affine, BezPath, Shape as _};
 use lole_body::Measure;
 use lole_language::{Language, Words, capitalized, words};
+
+use lole_pattern::Tailored;
 
 use crate::booklet::ACCENT;
 use crate::pdf::{Align, Color, Paper, Rect, Sheet, Stroke, TextStyle};
@@ -126,15 +128,74 @@ const OUTLINE: &[[f64; 2]] = &[
     [0.0, 3.72],
 ];
 
-/// The form for one dancer; her name is written in where it is known.
+/// Both sides of the form for one dancer; her name is written in where it is known.
 #[must_use]
-pub fn form_sheet(name: Option<&str>, paper: Paper, language: Language) -> Sheet {
+pub fn form_sheets(name: Option<&str>, paper: Paper, language: Language) -> [Sheet; 2] {
+    [
+        front(name, paper, language),
+        fitted_side(name, paper, language),
+    ]
+}
+
+/// Distance of what is printed from the left and right edge of the page [mm].
+const MARGIN: f64 = 18.0;
+
+/// What every figure and garment goes by.
+fn front(name: Option<&str>, paper: Paper, language: Language) -> Sheet {
     let mut sheet = Sheet::new(paper.size_mm());
     let [width, height] = sheet.size;
-    let (left, right) = (18.0, width - 18.0);
-    let title = TextStyle::bold(24.0).with_color(ACCENT);
-    let said = language.pick("採寸表", "Measurement form");
-    sheet.text([left, 26.0], said, &title, Align::Left);
+    let (left, right) = (MARGIN, width - MARGIN);
+    let advice = language.pick(
+        "薄い服で、まっすぐ立って測ります。メジャーは水平に、指が1本入るくらいにします。長さは cm（またはインチと書く）で。",
+        "Wear thin clothes and stand straight. Keep the tape level, with room for one finger. Write centimeters, or say that they are inches.",
+    );
+    let title = language.pick("採寸表", "Measurement form");
+    let top = write_head(&mut sheet, (title, advice), name, language);
+    let figure = Rect {
+        x: left,
+        y: top,
+        width: 74.0,
+        height: height - top - 22.0,
+    };
+    draw_figure(&mut sheet, figure);
+    let rows = ROWS.iter().map(|row| (row.measure.words(), row.how));
+    let rows: Vec<_> = rows.collect();
+    let place = ([left + 82.0, right], [top, height - 20.0]);
+    write_rows(&mut sheet, &rows, place, language);
+    write_foot(&mut sheet, language);
+    sheet
+}
+
+/// What fitted garments are drafted by beside that; may all be left empty.
+fn fitted_side(name: Option<&str>, paper: Paper, language: Language) -> Sheet {
+    let mut sheet = Sheet::new(paper.size_mm());
+    let [width, height] = sheet.size;
+    let advice = language.pick(
+        "ブラウス、ムウムウ、ホロクーなど、体に合わせて縫う服のときに測ります。測れないところは空けておくと、推定します。袖口と頭の飾りだけなら、手首回りと頭回りだけで足ります。",
+        "For blouse, muʻumuʻu, holokū and what else is cut to fit. What is left empty is estimated. For cuffs and wreaths alone, wrist and head will do.",
+    );
+    let title = language.pick(
+        "採寸表（体に合わせる服）",
+        "Measurement form: fitted clothes",
+    );
+    let top = write_head(&mut sheet, (title, advice), name, language);
+    let rows = Tailored::ALL.map(|tailored| (tailored.name(), tailored.how()));
+    let place = ([MARGIN, width - MARGIN], [top, height - 20.0]);
+    write_rows(&mut sheet, &rows, place, language);
+    write_foot(&mut sheet, language);
+    sheet
+}
+
+/// Title, name, date and advice; how far down they go [mm].
+fn write_head(
+    sheet: &mut Sheet,
+    (title, advice): (&str, &str),
+    name: Option<&str>,
+    language: Language,
+) -> f64 {
+    let (left, right) = (MARGIN, sheet.size[0] - MARGIN);
+    let style = TextStyle::bold(24.0).with_color(ACCENT);
+    sheet.text([left, 26.0], title, &style, Align::Left);
     let label = TextStyle::regular(13.0);
     let said = language.pick("名前", "Name");
     sheet.text([left, 41.0], said, &label, Align::Left);
@@ -151,41 +212,24 @@ pub fn form_sheet(name: Option<&str>, paper: Paper, language: Language) -> Sheet
     let said = language.pick("測った日", "Date");
     sheet.text([right - 58.0, 41.0], said, &label, Align::Left);
     sheet.line([right - 38.0, 42.0], [right, 42.0], line);
-    let advice = language.pick(
-        "薄い服で、まっすぐ立って測ります。メジャーは水平に、指が1本入るくらいにします。長さは cm（またはインチと書く）で。",
-        "Wear thin clothes and stand straight. Keep the tape level, with room for one finger. Write centimeters, or say that they are inches.",
-    );
     let used = sheet.paragraph(
         [left, 47.0],
         right - left,
         advice,
         &TextStyle::regular(12.0),
     );
-    let top = 51.0 + used;
-    let figure = Rect {
-        x: left,
-        y: top,
-        width: 74.0,
-        height: height - top - 22.0,
-    };
-    draw_figure(&mut sheet, figure);
-    write_rows(
-        &mut sheet,
-        [left + 82.0, right],
-        [top, height - 20.0],
-        language,
-    );
+    51.0 + used
+}
+
+/// How a filled form comes into the program.
+fn write_foot(sheet: &mut Sheet, language: Language) {
     let said = language.pick(
         "この表の見出しのまま表計算ソフトに入れて CSV で保存すると、lole order が読めます。",
         "Typed into a spreadsheet under the same heads and saved as CSV, lole order reads it.",
     );
-    sheet.text(
-        [left, height - 9.0],
-        said,
-        &TextStyle::regular(9.5).with_color(Color::GRAY),
-        Align::Left,
-    );
-    sheet
+    let style = TextStyle::regular(9.5).with_color(Color::GRAY);
+    let place = [MARGIN, sheet.size[1] - 9.0];
+    sheet.text(place, said, &style, Align::Left);
 }
 
 /// The figure with a numbered tape for each measure.
@@ -256,16 +300,16 @@ fn disk(sheet: &mut Sheet, [x, y]: [f64; 2], number: u32) {
 /// Number, name, how to measure, and a box to write into.
 fn write_rows(
     sheet: &mut Sheet,
-    [left, right]: [f64; 2],
-    [top, bottom]: [f64; 2],
+    rows: &[(Words, Words)],
+    ([left, right], [top, bottom]): ([f64; 2], [f64; 2]),
     language: Language,
 ) {
-    let count = f64::from(u32::try_from(ROWS.len()).unwrap_or(1));
+    let count = f64::from(u32::try_from(rows.len()).unwrap_or(1));
     let pitch = ((bottom - top) / count).min(24.0);
-    for (number, row) in (1_u32..).zip(ROWS) {
+    for (number, (name, how)) in (1_u32..).zip(rows) {
         let y = top + pitch * f64::from(number - 1);
         disk(sheet, [left + 3.5, y + 5.0], number);
-        let name = &capitalized(row.measure.words().text(language));
+        let name = &capitalized(name.text(language));
         sheet.text(
             [left + 10.0, y + 6.6],
             name,
@@ -281,7 +325,7 @@ fn write_rows(
         sheet.rect(entry, None, Some(Stroke::solid(0.35)));
         let unit = TextStyle::regular(10.0).with_color(Color::GRAY);
         sheet.text([right - 2.0, y + 9.5], "cm", &unit, Align::Right);
-        let how = row.how.text(language);
+        let how = how.text(language);
         let small = TextStyle::regular(11.0);
         sheet.paragraph([left + 10.0, y + 11.5], right - left - 10.0, how, &small);
     }
@@ -296,7 +340,9 @@ mod tests {
     fn everything_stays_on_the_page_and_can_be_printed() {
         for paper in [Paper::A4, Paper::Letter] {
             for language in [Language::Japanese, Language::English] {
-                check(&form_sheet(Some("ʻIolana"), paper, language));
+                for sheet in form_sheets(Some("ʻIolana"), paper, language) {
+                    check(&sheet);
+                }
             }
         }
     }
@@ -320,7 +366,9 @@ mod tests {
     #[test]
     fn heads_of_the_form_are_read_by_the_order() {
         for language in [Language::Japanese, Language::English] {
-            let names = ROWS.iter().map(|row| row.measure.words().text(language));
+            let names = ROWS.iter().map(|row| row.measure.words());
+            let tailored = Tailored::ALL.map(Tailored::name);
+            let names = names.chain(tailored).map(|name| name.text(language));
             let heads: Vec<String> = names.map(capitalized).collect();
             let name = language.pick("名前", "Name");
             let list = format!("{name},{}\n", heads.join(","));

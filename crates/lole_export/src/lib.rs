@@ -5,7 +5,7 @@
 //! | `dance.mp4` | [`video::Mp4Writer`]: H.264, one picture at a time |
 //! | `booklet.pdf` | [`booklet::booklet_sheets`]: how a costume is sewn, with drawings and cost |
 //! | `order.pdf`, `order.json` | [`order::order_sheets`], [`order::order_json`]: a group's costumes |
-//! | `form.pdf` | [`form::form_sheet`]: where to measure |
+//! | `form.pdf` | [`form::form_sheets`]: where to measure |
 //! | printed pages | [`pdf::Document`]: text, lines and pictures at true size |
 //! | cut plans, full-size patterns | [`cutting`]: PDF, SVG, JSON |
 //! | `pattern.dxf` | [`dxf::pattern_dxf`]: pieces for pattern software |

@@ -12,7 +12,7 @@ use lole_export::order::{Order, order_json, order_sheets};
 use lole_export::pdf::{Document, Item, Paper, Sheet, missing_glyphs};
 use lole_garment::template::{PAU_SKIRT, PAU_TOP};
 use lole_language::{Language, Sentence};
-use lole_pattern::Alteration;
+use lole_pattern::{Alteration, Measure, Tailored};
 
 const LANGUAGES: [Language; 2] = [Language::Japanese, Language::English];
 
@@ -160,6 +160,38 @@ fn a_trial_is_described_where_something_is_fitted() {
             assert!(has(&fitted, alteration.name().text(language)));
         }
         assert!(!has(&pages(&design(), &plan(&design()), language), title));
+    }
+}
+
+/// What a tape has said stands in the table as measured, to the millimeter; before that it is a guess.
+#[test]
+fn what_was_taken_for_drafting_is_no_estimate() {
+    let plain = blouse();
+    let mut taken = plain.clone();
+    let own = drafted_by(&plain).measures;
+    let used = |measure| own.iter().any(|used| used.measure == measure);
+    for tailored in Tailored::ALL {
+        let own = own.iter().find(|it| it.measure == tailored.measure());
+        let cm = own.map(|it| (10.0 * it.length.to_cm()).round() / 10.0);
+        taken.dancer.tailor_tape = taken.dancer.tailor_tape.with_cm(tailored, cm);
+    }
+    let after = drafted_by(&taken).measures;
+    assert!(own.iter().all(|it| !it.is_taken));
+    for it in &after {
+        let is_tailored = Tailored::ALL.iter().any(|one| one.measure() == it.measure);
+        assert_eq!(it.is_taken, is_tailored, "{:?}", it.measure);
+    }
+    assert!(used(Measure::NeckGirth) && used(Measure::UpperArmGirth) && used(Measure::BackLength));
+    for language in LANGUAGES {
+        let word = language.pick("推定", "estimated");
+        let count = |design: &Design| {
+            let sheets = pages(design, &plan(design), language);
+            let texts = sheets.iter().flat_map(Sheet::texts);
+            texts.filter(|text| *text == word).count()
+        };
+        let (before, left) = (count(&plain), count(&taken));
+        let tailored = after.iter().filter(|it| it.is_taken).count();
+        assert_eq!(before, left + tailored, "{language:?}");
     }
 }
 

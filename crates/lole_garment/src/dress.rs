@@ -232,7 +232,9 @@ pub fn dress(
     stance: &Pose,
     among: &Among<'_>,
 ) -> Result<Dressed, DressError> {
-    let measures = crate::measures(dancer);
+    let on_body = crate::measures(dancer);
+    // She is dressed as she stands there, in what is cut to what was taken of her.
+    let measures = spec.tailor_tape.over(on_body.clone())?;
     // Drafts go by measures alone, and the pieces of a file by tapes around her.
     let fitting = Fitting {
         dancer: spec.given.map(|_| dancer),
@@ -252,7 +254,7 @@ pub fn dress(
     let laid = laid::lay(
         (template, row),
         pattern,
-        (dancer, &measures),
+        (dancer, &on_body),
         (among.division, sized),
     )?;
     let mut under = Under::new(dancer, stance, among.inside);

@@ -1,7 +1,7 @@
 //! A garment as its maker decided it.
 
 use lole_cloth::Fabric;
-use lole_pattern::{Alterations, DraftError, Pattern};
+use lole_pattern::{Alterations, DraftError, Pattern, TailorTape};
 
 use crate::fitting::Fitting;
 use crate::given::Given;
@@ -20,6 +20,8 @@ pub struct GarmentSpec<'a> {
     pub colors: Colors,
     /// How it is altered where it is fitted.
     pub alterations: Alterations,
+    /// What was taken of her for it, in the place of what her body has.
+    pub tailor_tape: TailorTape,
     /// The pieces that it is cut after where a file has them.
     pub given: Option<&'a Given>,
 }

@@ -10,7 +10,7 @@ use lole_garment::Fitting;
 use lole_garment::template::{OptionKind, Options, TEMPLATES, Template};
 use lole_pattern::pattern::{Seam, SeamKind, SeamSide};
 use lole_pattern::piece::{Edge, Finish, LineKind, Mark};
-use lole_pattern::{Alteration, Alterations, Pattern, Piece};
+use lole_pattern::{Alteration, Alterations, Pattern, Piece, TailorTape, Tailored};
 use proptest::prelude::*;
 
 use any::any_body;
@@ -380,6 +380,29 @@ proptest! {
         for template in TEMPLATES {
             // Measures and alterations may exclude each other, and are then refused by name.
             if let Ok(pattern) = (template.draft)(&fitting, &Options::of(template)) {
+                let checked = check(&pattern);
+                prop_assert!(checked.is_ok(), "{}: {}", template.id, checked.unwrap_err());
+            }
+        }
+    }
+
+    #[test]
+    fn seams_walk_whatever_was_taken_of_her(
+        row in any_body(),
+        shares in proptest::collection::vec(proptest::option::of(0.0..1.0_f64), Tailored::ALL.len()),
+    ) {
+        let body = of_row(&row);
+        let taken = Tailored::ALL.into_iter().zip(shares);
+        let taken = taken.fold(TailorTape::NONE, |all, (one, share)| {
+            let [least, most] = one.room_cm(one.measure().of(&body).to_cm());
+            all.with_cm(one, share.map(|share| least + share * (most - least)))
+        });
+        let measures = taken.over(body);
+        prop_assert!(measures.is_ok(), "{measures:?}");
+        let measures = measures.unwrap();
+        for template in TEMPLATES {
+            // Measures may exclude each other, and are then refused by name.
+            if let Ok(pattern) = (template.draft)(&Fitting::by(&measures), &Options::of(template)) {
                 let checked = check(&pattern);
                 prop_assert!(checked.is_ok(), "{}: {}", template.id, checked.unwrap_err());
             }

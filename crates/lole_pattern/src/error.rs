@@ -2,6 +2,8 @@
 
 use lole_language::{Bilingual, Sentence, Words};
 
+use crate::Tailored;
+
 /// Why a draft cannot be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -97,6 +99,20 @@ pub enum DraftError {
         /// What else can be done, beginning with a comma; may be empty.
         remedy: Words,
     },
+    /// A measure that was taken for drafting is not that of the body that was built from her tape.
+    #[error("{}", not_hers(*tailored, [*cm, *on_body_cm, *least_cm, *most_cm]).english)]
+    Tailored {
+        /// Which measure.
+        tailored: Tailored,
+        /// What was given [cm].
+        cm: f64,
+        /// What the body has [cm].
+        on_body_cm: f64,
+        /// Smallest that is drafted [cm].
+        least_cm: f64,
+        /// Largest that is drafted [cm].
+        most_cm: f64,
+    },
     /// A skirt would be worn around the legs.
     #[error(
         "worn_height_cm is {worn_cm:.0} cm, where her legs have parted; wear the skirt above {least_cm:.0} cm"
@@ -145,6 +161,21 @@ fn too_short([hem, finished, band]: [f64; 3]) -> Sentence {
         ),
         format!(
             "the hem at {hem:.1} cm above the floor leaves {finished:.1} cm from the upper edge to the hem, which is no longer than the {band:.1} cm of the upper part; lower the hem or wear it higher"
+        ),
+    )
+}
+
+/// A measure that is not that of her body, what was given, what the body has, and what can be had [cm].
+fn not_hers(tailored: Tailored, [cm, on_body, least, most]: [f64; 4]) -> Sentence {
+    let (key, name) = (tailored.key(), tailored.name());
+    Sentence::new(
+        format!(
+            "{key}（{}）が {cm:.1} cm ですが、ほかの寸法の体では {on_body:.1} cm ほどです。測り直して {least:.1}～{most:.1} cm を書くか、消してください",
+            name.japanese
+        ),
+        format!(
+            "{key} is {cm:.1} cm, and a body of her other measures has {on_body:.1} cm; measure the {} again and give {least:.1} to {most:.1} cm, or leave it out",
+            name.english
         ),
     )
 }
@@ -204,6 +235,13 @@ impl Bilingual for DraftError {
                  {least_cm:.1}～{most_cm:.1} cm です。測り直してください{}",
                 what.japanese, remedy.japanese
             ),
+            Self::Tailored {
+                tailored,
+                cm,
+                on_body_cm,
+                least_cm,
+                most_cm,
+            } => not_hers(*tailored, [*cm, *on_body_cm, *least_cm, *most_cm]).japanese,
             Self::WornTooLow { worn_cm, least_cm } => format!(
                 "worn_height_cm が {worn_cm:.0} cm ですが、そこはもう脚です。{least_cm:.0} cm より上ではいてください"
             ),

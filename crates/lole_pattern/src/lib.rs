@@ -36,6 +36,7 @@ pub mod pattern;
 pub mod piece;
 pub mod polygon;
 pub mod ratio;
+pub mod tailor_tape;
 pub mod yardage;
 
 pub use alterations::{Alteration, Alterations};
@@ -45,4 +46,5 @@ pub use measures::{Measure, Measures};
 pub use pattern::Pattern;
 pub use piece::Piece;
 pub use ratio::{ElasticRatio, GatherRatio};
+pub use tailor_tape::{TailorTape, Tailored};
 pub use yardage::{Yardage, sold_zip};

@@ -15,7 +15,7 @@ use lole_costume::document::{
 };
 use lole_geom::Capsule;
 use lole_geom::narrow;
-use lole_pattern::Alterations;
+use lole_pattern::{Alterations, TailorTape};
 
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
 use crate::skin_check::{self, CheckedSurface};
@@ -650,8 +650,15 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
         for garment in garments.iter_mut().filter(|it| it.is_dressed()) {
             garment.print = PrintChoice::default();
         }
+        // What was taken for drafting cuts what is sewn of pieces, and no body.
+        let tailor_tape = if garments.iter().any(GarmentDesign::is_dressed) {
+            design.dancer.tailor_tape
+        } else {
+            TailorTape::NONE
+        };
         // Face, hair and colors are not in the way of cloth.
         let dancer = DancerDesign {
+            tailor_tape,
             hair: HairStyle::default(),
             makeup: Makeup::default(),
             age_years: None,

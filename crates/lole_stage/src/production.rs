@@ -567,6 +567,7 @@ fn dressed(
         };
         let spec = GarmentSpec {
             alterations: design.alterations,
+            tailor_tape: design.dancer.tailor_tape,
             ..garment.spec()
         };
         let sewn = dress::dress(&spec, body, stance, &among);

@@ -8,6 +8,7 @@ use glam::Vec3;
 use lole_body::{Bone, Taped};
 use lole_cloth::Grid;
 use lole_geom::Capsule;
+use lole_pattern::Tailored;
 use lole_picture::{Looks, Moment};
 use lole_render::Scene;
 use lole_stage::{Divergence, PartNow, Production, Worn, WornSurface};
@@ -25,6 +26,8 @@ pub struct Wardrobe {
     pub crown_height: f32,
     /// What a tape says around the dancer.
     pub taped: [Taped; 14],
+    /// What her body has of each of [`Tailored::ALL`] [cm].
+    pub tailored_cm: [f64; Tailored::ALL.len()],
     /// The springs of everything that is worn, as they are shown.
     pub(crate) nets: Vec<Net>,
     /// Which particle of all cloth each drawn vertex goes with, surface by surface; empty where bones carry it.
@@ -49,6 +52,7 @@ impl Wardrobe {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         let particles = u32::try_from(production.moving_count()).unwrap_or(u32::MAX);
         let numbers: Vec<u32> = (0..particles).collect();
+        let measures = lole_garment::measures(&production.dancer);
         Self {
             id: NEXT.fetch_add(1, Ordering::Relaxed),
             coarse_triangles: (production.surfaces())
@@ -65,6 +69,7 @@ impl Wardrobe {
             nets: production.worn().filter_map(Net::of).collect(),
             crown_height: production.dancer.landmarks.crown_height,
             taped: production.dancer.taped(&production.design.tape()),
+            tailored_cm: Tailored::ALL.map(|tailored| tailored.measure().of(&measures).to_cm()),
             looks,
         }
     }

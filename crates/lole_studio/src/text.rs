@@ -379,6 +379,11 @@ pub(crate) const TAPE_HINT: Words = words(
     "数字を押して書きます。薄い字は推定です。",
     "Click a number to write it. Pale ones are estimated.",
 );
+pub(crate) const FOR_PATTERNS: Words = words("体に合わせる服の寸法", "Measures for fitted clothes");
+pub(crate) const FOR_PATTERNS_HINT: Words = words(
+    "型紙だけが変わります。書かなければ、できた体から推定します。",
+    "Patterns alone change. What is left out is estimated from her body.",
+);
 pub(crate) const FIGURE_BY_STATURE: Words = words("身長から", "by height");
 pub(crate) const WOMAN: Words = words("女性", "woman");
 pub(crate) const MAN: Words = words("男性", "man");

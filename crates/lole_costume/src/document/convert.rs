@@ -9,6 +9,7 @@ use lole_geom::Length;
 use lole_geom::narrow;
 use lole_hula::{DanceStep, MotionSettings, Part, School};
 use lole_language::{Bilingual, Sentence, repeated};
+use lole_pattern::Tailored;
 
 use super::{
     BodyShapes, DancerDesign, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer,
@@ -156,13 +157,18 @@ impl Design {
     /// An avatar has its own tape.
     fn check_avatar(&self) -> Result<(), Box<Problem>> {
         let tape = self.tape();
-        let measured = Measure::ALL
-            .into_iter()
-            .find(|measure| measure.of(&tape).is_some());
-        let (Some(file), Some(measure)) = (&self.dancer.file, measured) else {
+        let taken = self.dancer.tailor_tape;
+        let measured = (Measure::ALL.into_iter())
+            .filter(|measure| measure.of(&tape).is_some())
+            .map(Measure::key);
+        let tailored = (Tailored::ALL.into_iter())
+            .filter(|tailored| taken.cm(*tailored).is_some())
+            .map(Tailored::key);
+        let first = measured.chain(tailored).next();
+        let (Some(file), Some(key)) = (&self.dancer.file, first) else {
             return Ok(());
         };
-        let (name, key) = (&file.name, measure.key());
+        let name = &file.name;
         let sentence = Sentence::new(
             format!("アバター {name} は自分の寸法で着ます。{key} か file を消してください"),
             format!("the avatar {name} is dressed to its own tape; leave out {key} or file"),

@@ -7,7 +7,7 @@ use lole_garment::{
     Colors, Fineness, Fitting, GarmentLayer, GarmentSpec, Given, Options, Template,
 };
 use lole_language::Words;
-use lole_pattern::{Alterations, DraftError, Pattern};
+use lole_pattern::{Alterations, DraftError, Pattern, TailorTape};
 use lole_print::PrintMotif;
 
 use super::{FabricDesign, PrintChoice, SkirtDesign};
@@ -153,7 +153,7 @@ impl GarmentDesign {
         self.spec().pattern(fitting)
     }
 
-    /// The garment as it is drafted and put on, without alterations.
+    /// The garment as it is drafted and put on, without alterations and by her body's own measures.
     #[must_use]
     pub fn spec(&self) -> GarmentSpec<'_> {
         let print = self.print.print();
@@ -168,6 +168,7 @@ impl GarmentDesign {
                 shadow: print.shadow,
             },
             alterations: Alterations::NONE,
+            tailor_tape: TailorTape::NONE,
             given: self.file.as_ref().and_then(|file| file.given.as_deref()),
         }
     }

@@ -2,7 +2,7 @@
 
 use lole_body::{Figure, Measure};
 use lole_language::{Sentence, Words, words};
-use lole_pattern::Alteration;
+use lole_pattern::{Alteration, Tailored};
 
 use super::RosterError;
 use super::cells::Record;
@@ -28,18 +28,31 @@ pub(super) enum Meaning {
     Figure,
     Age,
     Measure(Measure),
+    /// What drafts go by and no body is built from.
+    Tailored(Tailored),
     /// How fitted garments are altered for her.
     Alteration(Alteration),
 }
 
 impl Meaning {
-    const fn words(self) -> Words {
+    /// What a column is called.
+    pub(super) const fn words(self) -> Words {
         match self {
             Self::Name => words("名前", "name"),
             Self::Figure => words("体型", "figure"),
             Self::Age => words("年齢", "age"),
             Self::Measure(measure) => measure.words(),
+            Self::Tailored(tailored) => tailored.name(),
             Self::Alteration(alteration) => alteration.name(),
+        }
+    }
+
+    /// What a tape can say of anybody [cm]; `None` of what no tape says.
+    pub(super) const fn taped_cm(self) -> Option<[f64; 2]> {
+        match self {
+            Self::Measure(measure) => Some(measure.band_cm()),
+            Self::Tailored(tailored) => Some(tailored.band_cm()),
+            Self::Name | Self::Figure | Self::Age | Self::Alteration(_) => None,
         }
     }
 }
@@ -163,6 +176,7 @@ const HEADS: &[(Meaning, &[&str])] = &[
         Meaning::Measure(Measure::ShoulderBreadth),
         &[
             "肩幅",
+            "背肩幅",
             "shoulderbreadth",
             "shoulderwidth",
             "shoulder",
@@ -171,7 +185,152 @@ const HEADS: &[(Meaning, &[&str])] = &[
     ),
     (
         Meaning::Measure(Measure::UpperArmLength),
-        &["上腕の長さ", "上腕長", "upperarmlength", "upperarm"],
+        &[
+            "上腕の長さ",
+            "上腕長",
+            "上腕丈",
+            "ひじ丈",
+            "肘丈",
+            "upperarmlength",
+            "shouldertoelbow",
+        ],
+    ),
+    (
+        Meaning::Tailored(Tailored::Neck),
+        &[
+            "首回り",
+            "首まわり",
+            "首周り",
+            "首囲",
+            "頸囲",
+            "頚囲",
+            "ネック",
+            "ネックサイズ",
+            "首の付け根回り",
+            "首の付け根まわり",
+            "首の付け根周り",
+            "首の付け根の周り",
+            "neck",
+            "neckgirth",
+            "neckcircumference",
+        ],
+    ),
+    (
+        Meaning::Tailored(Tailored::BackBreadth),
+        &["背幅", "背巾", "backbreadth", "backwidth", "acrossback"],
+    ),
+    (
+        Meaning::Tailored(Tailored::ChestBreadth),
+        &[
+            "胸幅",
+            "胸巾",
+            "chestbreadth",
+            "chestwidth",
+            "acrosschest",
+            "acrossfront",
+        ],
+    ),
+    (
+        Meaning::Tailored(Tailored::BackLength),
+        &[
+            "背丈",
+            "後ろ丈",
+            "後丈",
+            "backlength",
+            "napetowaist",
+            "backwaistlength",
+        ],
+    ),
+    (
+        Meaning::Tailored(Tailored::FrontLength),
+        &["前丈", "前身丈", "frontlength", "frontwaistlength"],
+    ),
+    (
+        Meaning::Tailored(Tailored::BustPoints),
+        &[
+            "乳間",
+            "乳間幅",
+            "乳頭間",
+            "乳頭の間隔",
+            "バストポイント間",
+            "バストポイントの間隔",
+            "bp間",
+            "bustpointdistance",
+            "bustpoints",
+            "bustspan",
+            "apextoapex",
+        ],
+    ),
+    (
+        Meaning::Tailored(Tailored::UpperArm),
+        &[
+            "腕回り",
+            "腕まわり",
+            "腕周り",
+            "上腕回り",
+            "上腕まわり",
+            "上腕周り",
+            "上腕の周り",
+            "上腕囲",
+            "腕囲",
+            "上腕",
+            "二の腕",
+            "二の腕回り",
+            "二の腕まわり",
+            "二の腕周り",
+            "upperarm",
+            "upperarmgirth",
+            "upperarmcircumference",
+            "armgirth",
+            "bicep",
+            "biceps",
+        ],
+    ),
+    (
+        Meaning::Tailored(Tailored::Wrist),
+        &[
+            "手首回り",
+            "手首まわり",
+            "手首周り",
+            "手首囲",
+            "手首",
+            "wrist",
+            "wristgirth",
+        ],
+    ),
+    (
+        Meaning::Tailored(Tailored::ArmLength),
+        &[
+            "袖丈",
+            "腕丈",
+            "腕の長さ",
+            "armlength",
+            "sleeve",
+            "sleevelength",
+        ],
+    ),
+    (
+        Meaning::Tailored(Tailored::CrotchLength),
+        &[
+            "股上前後長",
+            "股上前後",
+            "前後股上",
+            "股ぐり",
+            "股ぐり長",
+            "crotchlength",
+        ],
+    ),
+    (
+        Meaning::Tailored(Tailored::Head),
+        &[
+            "頭回り",
+            "頭まわり",
+            "頭周り",
+            "頭囲",
+            "head",
+            "headgirth",
+            "headcircumference",
+        ],
     ),
     (
         Meaning::Alteration(Alteration::FullBust),
@@ -259,18 +418,10 @@ fn notes(unknown: &[String]) -> Vec<Sentence> {
     if unknown.is_empty() {
         return Vec::new();
     }
-    let mut notes = vec![Sentence::new(
+    vec![Sentence::new(
         format!("次の列は読みませんでした: {}", unknown.join("、")),
         format!("These columns were not read: {}", unknown.join(", ")),
-    )];
-    // Read as the stature it would make a child of her.
-    if unknown.iter().any(|head| name_and_unit(head).0 == "背丈") {
-        notes.push(Sentence::new(
-            "「背丈」は首の付け根からウエストまでの長さです。身長の列の見出しは「身長」にしてください",
-            "背丈 is the length of the back, from the nape to the waist; call the column of statures 身長",
-        ));
-    }
-    notes
+    )]
 }
 
 /// What a head says, and the unit of its numbers: `ヒップ cm` and `ヒップcm` alike.

@@ -1,6 +1,5 @@
 //! A length as people write it in a cell: `91.4`, `９１．４cm`, `36 in`, `36"`, `5'4"`, `1.58 m`.
 
-use lole_body::Measure;
 use lole_language::{Words, words};
 
 use super::cells::Separator;
@@ -68,9 +67,8 @@ pub(super) enum Reading {
     NoNumber,
 }
 
-/// Whether a dancer can have this [cm].
-pub(super) fn fits(measure: Measure, cm: f64) -> bool {
-    let [least, most] = measure.band_cm();
+/// Whether a dancer can have this [cm] of a measure that lies in this band.
+pub(super) fn fits([least, most]: [f64; 2], cm: f64) -> bool {
     (least..=most).contains(&cm)
 }
 

@@ -155,16 +155,93 @@ fn workbooks_that_swell_are_refused() {
 #[test]
 fn the_back_length_is_no_stature() {
     let roster = read_text("名前,身長,背丈,ヒップ\n花子,158,38,91\n");
-    let tape = &roster.dancers[0].tape_cm;
-    assert!(tape.contains(&(Measure::Stature, 158.0)), "{tape:?}");
+    let dancer = &roster.dancers[0];
+    assert!(dancer.tape_cm.contains(&(Measure::Stature, 158.0)));
+    assert_eq!(dancer.tailor_tape.cm(Tailored::BackLength), Some(38.0));
     let alone = read_text("名前,背丈,ヒップ\n花子,38,91\n");
     assert_eq!(alone.dancers[0].tape_cm, [(Measure::Hip, 91.0)]);
-    assert!(
-        alone
-            .notes
-            .iter()
-            .any(|note| note.english.contains("length of the back"))
-    );
+    assert!(alone.notes.is_empty(), "{:?}", alone.notes);
+    let mistaken = read_text("名前,背丈,ヒップ\n花子,158,91\n");
+    assert!(mistaken.dancers.is_empty());
+    let what = &mistaken.problems[0].what;
+    assert!(what.japanese.contains("見出しを「身長」に"), "{what}");
+    assert!(what.english.contains("if it is the stature"), "{what}");
+}
+
+/// What a tape around the arm says is its girth; a length is one that says so.
+#[test]
+fn an_upper_arm_is_a_girth_unless_it_says_length() {
+    for head in [
+        "upper arm",
+        "Upper arm girth",
+        "upper_arm_cm",
+        "腕回り",
+        "腕まわり",
+        "上腕回り",
+        "上腕（cm）",
+        "二の腕",
+        "biceps",
+    ] {
+        let roster = read_text(&format!("name,{head},hip\na,27,91\n"));
+        let dancer = &roster.dancers[0];
+        assert_eq!(
+            dancer.tailor_tape.cm(Tailored::UpperArm),
+            Some(27.0),
+            "{head}"
+        );
+        assert_eq!(dancer.tape_cm, [(Measure::Hip, 91.0)], "{head}");
+    }
+    for head in [
+        "upper arm length",
+        "上腕長",
+        "上腕の長さ",
+        "upper_arm_length_cm",
+    ] {
+        let roster = read_text(&format!("name,{head},hip\na,29,91\n"));
+        let dancer = &roster.dancers[0];
+        assert_eq!(dancer.tailor_tape, TailorTape::NONE, "{head}");
+        assert!(
+            dancer.tape_cm.contains(&(Measure::UpperArmLength, 29.0)),
+            "{head}"
+        );
+    }
+}
+
+/// Its name in both languages and its key of a design are heads; what it says is hers alone.
+#[test]
+fn what_is_taken_for_drafting_has_columns() {
+    for tailored in Tailored::ALL {
+        let name = tailored.name();
+        let [least, most] = tailored.band_cm();
+        let cm = 0.5 * (least + most);
+        for head in [name.japanese, name.english, tailored.key()] {
+            let roster = read_text(&format!("name,{head},hip\na,{cm},91\nb,,91\nc,900,91\n"));
+            assert!(roster.notes.is_empty(), "{head}: {:?}", roster.notes);
+            let [first, second] = &roster.dancers[..] else {
+                panic!("{head}: {roster:?}");
+            };
+            assert_eq!(
+                first.tailor_tape,
+                TailorTape::NONE.with_cm(tailored, Some(cm))
+            );
+            assert_eq!(second.tailor_tape, TailorTape::NONE);
+            assert!(
+                roster.problems[0]
+                    .column
+                    .as_ref()
+                    .is_some_and(|it| it.1 == head)
+            );
+            let mut design = Design::default();
+            design.dancer.tailor_tape = TailorTape::NONE.with_cm(Tailored::Head, Some(60.0));
+            assert_eq!(first.design(&design).dancer.tailor_tape, first.tailor_tape);
+            assert_eq!(second.design(&design).dancer.tailor_tape, TailorTape::NONE);
+        }
+    }
+    let inches = read_text("name,neck,hip in\na,14,36\nb,15 1/2,37\n");
+    let neck = |index: usize| inches.dancers[index].tailor_tape.cm(Tailored::Neck);
+    assert_eq!(neck(0), Some(14.0 * 2.54));
+    assert_eq!(neck(1), Some(15.5 * 2.54));
+    assert!(inches.notes[0].english.contains("read as inches"));
 }
 
 #[test]
@@ -487,7 +564,7 @@ proptest! {
     fn no_list_makes_it_panic(text in "name,hip,身長\n([a-c=+@\"',;\t\r\n0-9.\\-ヒ ]{0,12},){0,40}") {
         if let Ok(roster) = read(text.as_bytes()) {
             for dancer in &roster.dancers {
-                prop_assert!(lengths::fits(Measure::Hip, dancer.hip_cm()));
+                prop_assert!(lengths::fits(Measure::Hip.band_cm(), dancer.hip_cm()));
             }
         }
     }

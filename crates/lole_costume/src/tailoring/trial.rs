@@ -24,6 +24,8 @@ pub struct UsedMeasure {
     pub measure: Measure,
     /// Its value.
     pub length: Length,
+    /// Whether it was taken of her for drafting; else her body has it.
+    pub is_taken: bool,
 }
 
 /// An alteration that changes a garment of a costume.
@@ -46,10 +48,12 @@ pub const SHOWN_CM: f64 = 2.0;
 /// or smaller, and alterations that draft another one where there is some of them.
 #[must_use]
 pub fn drafted_by(design: &Design, dancer: &Dancer) -> DraftedBy {
+    let body = measures(dancer);
     let trial = Trial {
         design,
         dancer,
-        own: measures(dancer),
+        // What is too far from her body is refused where it is drafted.
+        own: (design.dancer.tailor_tape.over(body.clone())).unwrap_or(body),
         garments: (design.cut())
             .map(|place| match place {
                 Some(index) => {
@@ -112,6 +116,7 @@ impl Trial<'_> {
         used.map(|measure| UsedMeasure {
             measure,
             length: measure.of(&self.own),
+            is_taken: self.design.dancer.tailor_tape.has(measure),
         })
         .collect()
     }

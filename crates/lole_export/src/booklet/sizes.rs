@@ -115,7 +115,7 @@ fn measured(booklet: &Booklet<'_>) -> Vec<Row> {
     let others = others.map(|used| Row {
         name: used.measure.words(),
         length: used.length,
-        is_estimated: true,
+        is_estimated: !used.is_taken,
     });
     taped.chain(others).collect()
 }

@@ -48,6 +48,7 @@ const fn spec<'a>(template: &'static Template, options: &'a Options) -> GarmentS
             shadow: [0; 3],
         },
         alterations: lole_pattern::Alterations::NONE,
+        tailor_tape: lole_pattern::TailorTape::NONE,
         given: None,
     }
 }

@@ -1,10 +1,12 @@
-//! The dancer's tape: fourteen measures, of which those that nobody took are estimated.
+//! The dancer's tape: fourteen measures, of which those that nobody took are estimated, and what patterns of
+//! fitted garments alone go by.
 
 use eframe::egui::{self, DragValue, Label, Response, RichText, Ui};
 use lole_body::{BodyError, Figure, Measure, Measurements};
 use lole_costume::document::Design;
 use lole_costume::document::schema::{self, Kind};
-use lole_language::Sentence;
+use lole_language::{Sentence, Words};
+use lole_pattern::{DraftError, Tailored};
 
 use super::hindrance;
 use super::knob::{choice, sign_button};
@@ -26,7 +28,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             .as_ref()
             .is_some_and(|found| found.is_about(measure));
         let row = Row {
-            measure,
+            line: Line::Body(measure),
             estimate: estimates[measure as usize],
             is_wrong,
         };
@@ -40,13 +42,53 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     if conflict.is_none() {
         hindrance::show(ui, studio, &["[dancer]"]);
     }
+    ui.collapsing(studio.say(text::FOR_PATTERNS), |ui| {
+        for_patterns(ui, studio);
+    });
+}
+
+/// What was taken for drafting, pale where the body's own stands in for it.
+fn for_patterns(ui: &mut Ui, studio: &mut Studio) {
+    let hint = studio.say(text::FOR_PATTERNS_HINT);
+    ui.label(RichText::new(hint).small().weak());
+    let on_body = studio.snapshot.as_ref();
+    let on_body = on_body.map(|now| now.wardrobe.tailored_cm);
+    for tailored in Tailored::ALL {
+        let estimate = on_body.map(|centimeters| centimeters[tailored as usize]);
+        let given = studio.design().dancer.tailor_tape.cm(tailored);
+        let refused =
+            (given.zip(estimate)).and_then(|(cm, on_body)| not_hers(tailored, [cm, on_body]));
+        let is_wrong = refused.is_some();
+        let row = Row {
+            line: Line::Patterns(tailored),
+            estimate,
+            is_wrong,
+        };
+        row.show(ui, studio);
+        if let Some(sentence) = refused {
+            hindrance::sentence(ui, studio, &sentence);
+        }
+    }
+}
+
+/// Why what was given is not drafted beside what her body has [cm]; `None` where it is.
+fn not_hers(tailored: Tailored, [cm, on_body_cm]: [f64; 2]) -> Option<Sentence> {
+    let [least_cm, most_cm] = tailored.room_cm(on_body_cm);
+    let error = DraftError::Tailored {
+        tailored,
+        cm,
+        on_body_cm,
+        least_cm,
+        most_cm,
+    };
+    (!(least_cm..=most_cm).contains(&cm)).then(|| Sentence::of(&error))
 }
 
 /// Two measures that exclude each other, or one that nobody has.
 struct Conflict {
     sentence: Sentence,
     /// Names as the sentence has them.
-    names: Vec<lole_language::Words>,
+    names: Vec<Words>,
 }
 
 impl Conflict {
@@ -97,9 +139,34 @@ fn estimates(studio: &Studio) -> [Option<f64>; 14] {
     })
 }
 
+/// What a row is about.
+#[derive(Debug, Clone, Copy)]
+enum Line {
+    /// The body is built from it.
+    Body(Measure),
+    /// Patterns alone go by it.
+    Patterns(Tailored),
+}
+
+impl Line {
+    const fn key(self) -> &'static str {
+        match self {
+            Self::Body(measure) => measure.key(),
+            Self::Patterns(tailored) => tailored.key(),
+        }
+    }
+
+    const fn words(self) -> Words {
+        match self {
+            Self::Body(measure) => measure.words(),
+            Self::Patterns(tailored) => tailored.name(),
+        }
+    }
+}
+
 /// One measure of the tape.
 struct Row {
-    measure: Measure,
+    line: Line,
     /// What the dancer on stage measures [cm].
     estimate: Option<f64>,
     /// Whether it is one of those that exclude each other.
@@ -109,22 +176,22 @@ struct Row {
 impl Row {
     /// Its name, its number and, where it was taken, a button to leave it out again.
     fn show(&self, ui: &mut Ui, studio: &mut Studio) {
-        let measure = self.measure;
-        let given = given(studio.design(), measure);
+        let line = self.line;
+        let given = given(studio.design(), line);
         ui.spacing_mut().item_spacing.y = 4.0;
         ui.horizontal(|ui| {
             let label = self.name(ui, studio, given);
             if let Some(centimeters) = self.number(ui, given, label.id) {
-                studio.change_later(|design| set(design, measure, Some(centimeters)));
+                studio.change_later(|design| set(design, line, Some(centimeters)));
             }
             if given.is_none() {
                 ui.label(RichText::new(studio.say(text::ESTIMATED)).small().weak());
                 return;
             }
-            let name = studio.say(measure.words());
+            let name = studio.say(line.words());
             let name = format!("{name}: {}", studio.say(text::LEAVE_OUT));
             if sign_button(ui, "✖", &name) {
-                studio.change(|design| set(design, measure, None));
+                studio.change(|design| set(design, line, None));
             }
         });
     }
@@ -136,20 +203,20 @@ impl Row {
             (false, Some(_)) => look::INK,
             (false, None) => look::PALE_INK,
         };
-        let name = studio.say(self.measure.words());
+        let name = studio.say(self.line.words());
         let label = Label::new(RichText::new(name).color(color)).wrap();
         let place = egui::Layout::left_to_right(egui::Align::Center);
         let label = ui.allocate_ui_with_layout(SIZES[0], place, |ui| {
             ui.set_min_size(SIZES[0]);
             ui.add(label)
         });
-        let about = schema::key("dancer", self.measure.key()).map(|key| studio.say(key.about));
+        let about = schema::key("dancer", self.line.key()).map(|key| studio.say(key.about));
         label.inner.on_hover_text(about.unwrap_or(name))
     }
 
     /// The number, pale where it is estimated; what was typed or dragged.
     fn number(&self, ui: &mut Ui, given: Option<f64>, label: egui::Id) -> Option<f64> {
-        let (low, high) = range("dancer", self.measure.key());
+        let (low, high) = range("dancer", self.line.key());
         let known = given.or(self.estimate);
         let mut centimeters = known.unwrap_or(low);
         let response = ui.scope(|ui| {
@@ -175,16 +242,22 @@ impl Row {
 }
 
 /// What the tape says [cm].
-fn given(design: &Design, measure: Measure) -> Option<f64> {
-    match schema::key("dancer", measure.key()).map(|key| &key.kind) {
+fn given(design: &Design, line: Line) -> Option<f64> {
+    match schema::key("dancer", line.key()).map(|key| &key.kind) {
         Some(Kind::Number { get, .. }) => get(design),
         _ => None,
     }
 }
 
 /// Writes a measure down, or strikes it out.
-fn set(design: &mut Design, measure: Measure, centimeters: Option<f64>) {
-    *design.dancer.measure_mut(measure) = centimeters;
+const fn set(design: &mut Design, line: Line, centimeters: Option<f64>) {
+    match line {
+        Line::Body(measure) => *design.dancer.measure_mut(measure) = centimeters,
+        Line::Patterns(tailored) => {
+            let taken = design.dancer.tailor_tape;
+            design.dancer.tailor_tape = taken.with_cm(tailored, centimeters);
+        }
+    }
 }
 
 #[cfg(test)]
@@ -193,19 +266,23 @@ mod tests {
 
     #[test]
     fn every_measure_is_written_where_the_document_reads_it() {
-        for measure in Measure::ALL {
+        let body = Measure::ALL.map(Line::Body);
+        let patterns = Tailored::ALL.map(Line::Patterns);
+        for line in body.into_iter().chain(patterns) {
             let mut design = Design::default();
-            assert_eq!(given(&design, measure), None);
-            set(&mut design, measure, Some(77.7));
-            assert_eq!(given(&design, measure), Some(77.7), "{measure:?}");
+            assert_eq!(given(&design, line), None);
+            set(&mut design, line, Some(77.7));
+            assert_eq!(given(&design, line), Some(77.7), "{line:?}");
+            set(&mut design, line, None);
+            assert_eq!(design, Design::default());
         }
     }
 
     #[test]
     fn of_two_measures_that_exclude_each_other_the_later_has_the_sentence() {
         let mut design = Design::default();
-        set(&mut design, Measure::Waist, Some(130.0));
-        set(&mut design, Measure::Hip, Some(80.0));
+        set(&mut design, Line::Body(Measure::Waist), Some(130.0));
+        set(&mut design, Line::Body(Measure::Hip), Some(80.0));
         let conflict = Conflict::of(&design).unwrap();
         let marked: Vec<_> = (Measure::ALL.into_iter())
             .filter(|m| conflict.is_about(*m))

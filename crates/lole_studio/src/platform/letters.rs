@@ -287,6 +287,7 @@ pub(crate) fn put_wardrobe(packer: &mut Packer, wardrobe: &Wardrobe) {
         packer.maybe(taped.given, |packer, given| packer.put(given.to_m()));
         packer.put(taped.on_body.to_m());
     });
+    packer.each(&wardrobe.tailored_cm, |packer, cm| packer.put(*cm));
     packer.each(&wardrobe.nets, |packer, net| {
         packer.put(net.spacing);
         packer.list(&net.lines);
@@ -315,6 +316,7 @@ pub(crate) fn get_wardrobe(unpacker: &mut Unpacker<'_>) -> Option<Wardrobe> {
         looks,
         crown_height,
         taped: taped.try_into().ok()?,
+        tailored_cm: (unpacker.each(Unpacker::get)?).try_into().ok()?,
         nets: unpacker.each(|unpacker| {
             Some(Net {
                 spacing: unpacker.get()?,
@@ -508,6 +510,7 @@ mod tests {
         });
         assert_eq!(read.moment, snapshot.moment);
         assert_eq!(read.wardrobe.taped, snapshot.wardrobe.taped);
+        assert_eq!(read.wardrobe.tailored_cm, snapshot.wardrobe.tailored_cm);
         let none = BTreeMap::new();
         let mut parcel = Packer::default();
         put_snapshot(&mut parcel, &snapshot);

@@ -32,6 +32,25 @@ macro_rules! number_if_known {
     };
 }
 
+/// A measure that patterns go by and no body is built from.
+macro_rules! tailored {
+    ($tailored:expr) => {
+        Key {
+            name: $tailored.key(),
+            about: $tailored.about(),
+            kind: Kind::Number {
+                min: $tailored.band_cm()[0],
+                max: $tailored.band_cm()[1],
+                get: |design| design.dancer.tailor_tape.cm($tailored),
+                set: |design, value| {
+                    let taken = &mut design.dancer.tailor_tape;
+                    *taken = taken.with_cm($tailored, Some(value));
+                },
+            },
+        }
+    };
+}
+
 macro_rules! count {
     ($name:literal, $min:literal..=$max:literal, $($field:ident).+, $japanese:literal, $about:literal) => {
         Key {

@@ -8,6 +8,7 @@ use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::ContactEvaluation;
 use lole_cloth::wind::WindLaw;
 use lole_language::words;
+use lole_pattern::Tailored;
 
 use super::alterations::ALTERATIONS;
 use super::cost::COST;
@@ -245,6 +246,17 @@ const DANCER: Table = Table {
             "肩先からひじまで",
             "shoulder point to elbow"
         ),
+        tailored!(Tailored::Neck),
+        tailored!(Tailored::BackBreadth),
+        tailored!(Tailored::ChestBreadth),
+        tailored!(Tailored::BackLength),
+        tailored!(Tailored::FrontLength),
+        tailored!(Tailored::BustPoints),
+        tailored!(Tailored::UpperArm),
+        tailored!(Tailored::Wrist),
+        tailored!(Tailored::ArmLength),
+        tailored!(Tailored::CrotchLength),
+        tailored!(Tailored::Head),
         number_if_known!(
             "age_years",
             3.0..=100.0,
