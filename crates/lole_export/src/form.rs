@@ -224,8 +224,8 @@ fn write_head(
 /// How a filled form comes into the program.
 fn write_foot(sheet: &mut Sheet, language: Language) {
     let said = language.pick(
-        "この表の見出しのまま表計算ソフトに入れて CSV で保存すると、lole order が読めます。",
-        "Typed into a spreadsheet under the same heads and saved as CSV, lole order reads it.",
+        "この表の見出しのまま表計算ソフトに入れて保存すると（Excel でも CSV でも）、lole order が読めます。",
+        "Typed into a spreadsheet under the same heads and saved, as a workbook or as CSV, lole order reads it.",
     );
     let style = TextStyle::regular(9.5).with_color(Color::GRAY);
     let place = [MARGIN, sheet.size[1] - 9.0];

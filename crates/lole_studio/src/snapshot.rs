@@ -192,6 +192,29 @@ pub struct Snapshot {
     pub stopped: Option<Divergence>,
 }
 
+impl Snapshot {
+    /// One that shows a moment at a time of the dance [s] and says nothing else.
+    pub(crate) fn showing(wardrobe: &Arc<Wardrobe>, moment: Moment, time: f32) -> Self {
+        Self {
+            wardrobe: Arc::clone(wardrobe),
+            time,
+            particles: Vec::new(),
+            moment,
+            capsules: Vec::new(),
+            bones: Vec::new(),
+            strain: Vec::new(),
+            sunken: Vec::new(),
+            samples: Vec::new(),
+            pace: None,
+            part: None,
+            recording_seconds: None,
+            substep_count: 0,
+            without_room: Vec::new(),
+            stopped: None,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use lole_cloth::Topology;

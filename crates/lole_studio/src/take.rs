@@ -129,24 +129,16 @@ impl Take {
             }),
             _ => nearest.part,
         };
+        let time = from.time + (to.time - from.time) * share;
         Some(Snapshot {
-            wardrobe: Arc::clone(&from.wardrobe),
-            time: from.time + (to.time - from.time) * share,
             particles: particles(&from.wardrobe, &moment.worn),
-            moment,
             capsules: nearest.capsules.clone(),
             bones: bones
                 .map(|(a, b)| [a[0].lerp(b[0], share), a[1].lerp(b[1], share)])
                 .collect(),
-            strain: Vec::new(),
-            sunken: Vec::new(),
-            samples: Vec::new(),
-            pace: None,
             part,
             recording_seconds: nearest.recording_seconds,
-            substep_count: 0,
-            without_room: Vec::new(),
-            stopped: None,
+            ..Snapshot::showing(&from.wardrobe, moment, time)
         })
     }
 
@@ -359,26 +351,14 @@ pub(crate) mod tests {
             places(time).to_vec(),
             places(time).map(Vec3::normalize_or_zero).to_vec(),
         ];
+        let moment = Moment {
+            worn: Vec::new(),
+            body,
+            strands: Vertices::default(),
+        };
         Snapshot {
-            wardrobe: Arc::clone(wardrobe),
-            time,
-            particles: Vec::new(),
-            moment: Moment {
-                worn: Vec::new(),
-                body,
-                strands: Vertices::default(),
-            },
-            capsules: Vec::new(),
             bones: vec![[places(time)[0], places(time)[1]]],
-            strain: Vec::new(),
-            sunken: Vec::new(),
-            samples: Vec::new(),
-            pace: None,
-            part: None,
-            recording_seconds: None,
-            substep_count: 1,
-            without_room: Vec::new(),
-            stopped: None,
+            ..Snapshot::showing(wardrobe, moment, time)
         }
     }
 

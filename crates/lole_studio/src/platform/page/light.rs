@@ -4,7 +4,6 @@ use std::cell::Cell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use lole_picture::Moment;
 use lole_render::AmbientLight;
 
 use super::worker::{Wake, Worker, answer, hear};
@@ -122,31 +121,10 @@ fn work(wardrobe: &Arc<Wardrobe>, parcel: &mut Unpacker<'_>) -> Option<(u64, Amb
     let is_coarse = parcel.flag()?;
     let moment = get_moment(parcel)?;
     lit(&Job {
-        snapshot: Arc::new(of_moment(wardrobe, moment)),
+        snapshot: Arc::new(Snapshot::showing(wardrobe, moment, 0.0)),
         camera,
         scenery,
         is_coarse,
         beside: None,
     })
-}
-
-/// A snapshot that shows a moment and says nothing else.
-fn of_moment(wardrobe: &Arc<Wardrobe>, moment: Moment) -> Snapshot {
-    Snapshot {
-        wardrobe: Arc::clone(wardrobe),
-        time: 0.0,
-        particles: Vec::new(),
-        moment,
-        capsules: Vec::new(),
-        bones: Vec::new(),
-        strain: Vec::new(),
-        sunken: Vec::new(),
-        samples: Vec::new(),
-        pace: None,
-        part: None,
-        recording_seconds: None,
-        substep_count: 0,
-        without_room: Vec::new(),
-        stopped: None,
-    }
 }
