@@ -367,7 +367,8 @@ pub(crate) struct PatternArgs {
     /// Paper of the printer: a4, a3 or letter.
     #[arg(long, value_enum, default_value_t = PaperSize::A4)]
     pub(crate) paper: PaperSize,
-    /// Write each garment on one page too, at full size: a0, roll (91 cm wide) or projector; several with commas.
+    /// Write each garment on one page too, at full size: a0, roll (91 cm wide), projector or plotter
+    /// (HP-GL for pen plotters and cutters); several with commas.
     /// Cutting lines, sewing lines, marks and names are layers that a reader's window shows and hides.
     #[arg(long, value_enum, value_name = "PAGE", value_delimiter = ',')]
     pub(crate) whole: Vec<WholePage>,
@@ -399,6 +400,8 @@ pub(crate) enum WholePage {
     Roll,
     /// For a projector: no margin, thick lines.
     Projector,
+    /// For a pen plotter or a cutter: HP-GL, the cutting lines with pen 1.
+    Plotter,
 }
 
 /// Forms of other programs.

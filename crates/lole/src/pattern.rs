@@ -34,6 +34,7 @@ impl WholePage {
             Self::A0 => WholeSheet::A0,
             Self::Roll => WholeSheet::Roll,
             Self::Projector => WholeSheet::Projector,
+            Self::Plotter => WholeSheet::Plotter,
         }
     }
 }

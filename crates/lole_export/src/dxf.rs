@@ -120,7 +120,7 @@ const MOST_LETTERS: usize = 80;
 
 /// Text that release 12 can hold: kahakō and ʻokina are left out, other letters become `?`, and so do those with
 /// which readers spell other letters and new lines (`^J`, `%%010`, `\U+000A`).
-fn plain(text: &str) -> String {
+pub(crate) fn plain(text: &str) -> String {
     let letter = |letter: char| match letter {
         'ā' => Some('a'),
         'ē' => Some('e'),

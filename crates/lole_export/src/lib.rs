@@ -35,6 +35,7 @@ pub mod error;
 pub mod form;
 pub mod glb;
 pub mod group;
+mod hpgl;
 pub mod order;
 mod page;
 pub mod pdf;

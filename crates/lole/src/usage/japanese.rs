@@ -277,7 +277,7 @@ pub(super) const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     (
         "pattern",
         "whole",
-        "服ごとに一枚の原寸も書き出します: a0、roll（幅 91 cm）、projector。コンマで並べられます。裁ち線、縫い線、印、名前は、PDF を見る画面のレイヤーで出したり消したりできます",
+        "服ごとに一枚の原寸も書き出します: a0、roll（幅 91 cm）、projector、plotter（ペンプロッターとカッターの HP-GL）。コンマで並べられます。裁ち線、縫い線、印、名前は、PDF を見る画面のレイヤーで出したり消したりできます",
     ),
     (
         "pattern",

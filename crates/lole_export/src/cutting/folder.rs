@@ -8,6 +8,7 @@ use super::{
 };
 use crate::ExportError;
 use crate::dxf::pattern_dxf;
+use crate::hpgl::plotter_file;
 use crate::pdf::{Document, Paper, Sheet};
 
 /// The patterns as data.
@@ -99,7 +100,10 @@ pub fn sizes_name(id: &str) -> String {
 /// The file of a page that holds a garment whole.
 #[must_use]
 pub fn whole_name(id: &str, page: WholeSheet) -> String {
-    format!("{id}-{}.pdf", page.name())
+    match page {
+        WholeSheet::Plotter => format!("{id}.plt"),
+        page => format!("{id}-{}.pdf", page.name()),
+    }
 }
 
 struct Folder<'a> {
@@ -144,9 +148,17 @@ impl Folder<'_> {
             self.pdf(&name, cut.garment.name.text(language), tiled.sheets)?;
         }
         for page in self.parts.whole {
+            // A plotter's own letters are Latin.
+            let language = match page {
+                WholeSheet::Plotter => Language::English,
+                _ => language,
+            };
             if let Some(sheet) = whole_sheet(cut, *page, language) {
                 let title = cut.garment.name.text(language);
-                let bytes = sheet.to_bytes(title, language)?;
+                let bytes = match page {
+                    WholeSheet::Plotter => plotter_file(&sheet),
+                    _ => sheet.to_bytes(title, language)?,
+                };
                 self.add(&whole_name(id, *page), bytes);
             }
         }

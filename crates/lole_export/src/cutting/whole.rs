@@ -22,14 +22,17 @@ pub enum WholeSheet {
     Roll,
     /// For a projector: no margin, thick lines.
     Projector,
+    /// The roll once more, for a pen plotter or a cutter.
+    Plotter,
 }
 
 impl WholeSheet {
     /// Every one with its name in files.
-    pub const ALL: [(Self, &'static str); 3] = [
+    pub const ALL: [(Self, &'static str); 4] = [
         (Self::A0, "a0"),
         (Self::Roll, "roll"),
         (Self::Projector, "projector"),
+        (Self::Plotter, "plotter"),
     ];
 
     /// Its name in files.
@@ -39,6 +42,7 @@ impl WholeSheet {
             Self::A0 => "a0",
             Self::Roll => "roll",
             Self::Projector => "projector",
+            Self::Plotter => "plotter",
         }
     }
 
@@ -46,7 +50,7 @@ impl WholeSheet {
     const fn width(self) -> f64 {
         match self {
             Self::A0 => 841.0,
-            Self::Roll => 914.4,
+            Self::Roll | Self::Plotter => 914.4,
             Self::Projector => 1000.0,
         }
     }
@@ -55,14 +59,14 @@ impl WholeSheet {
     const fn least_length(self) -> f64 {
         match self {
             Self::A0 => 1189.0,
-            Self::Roll | Self::Projector => 0.0,
+            Self::Roll | Self::Projector | Self::Plotter => 0.0,
         }
     }
 
     /// What is not printed on at its sides [mm].
     const fn margin(self) -> f64 {
         match self {
-            Self::A0 | Self::Roll => 12.0,
+            Self::A0 | Self::Roll | Self::Plotter => 12.0,
             Self::Projector => 0.0,
         }
     }
@@ -70,7 +74,7 @@ impl WholeSheet {
     /// How thick lines are, over those of paper.
     const fn thick(self) -> f64 {
         match self {
-            Self::A0 | Self::Roll => 1.0,
+            Self::A0 | Self::Roll | Self::Plotter => 1.0,
             // A pixel of a projector over a table is about a millimeter.
             Self::Projector => 3.0,
         }
@@ -162,7 +166,7 @@ fn draw_head(sheet: &mut Sheet, (cut, page): (&CutGarment, WholeSheet), language
             "映した四角が 10 cm になるように大きさを合わせます",
             "set the projector so that the square is 10 cm on the table",
         ),
-        WholeSheet::A0 | WholeSheet::Roll => language.pick(
+        WholeSheet::A0 | WholeSheet::Roll | WholeSheet::Plotter => language.pick(
             "実際のサイズ（100 %）で印刷し、四角を測ります",
             "print at actual size (100 %) and measure the square",
         ),
