@@ -165,7 +165,9 @@ impl Folder<'_> {
         // Leaves and flowers are tied, not cut.
         if !cut.garment.pattern.pieces.is_empty() {
             self.add(&format!("{id}.svg"), pieces_svg(cut, language));
-            self.add(&format!("{id}.dxf"), pattern_dxf(cut, self.parts.size));
+            let size = Some(cut.stamp.size.as_str()).filter(|size| !size.is_empty());
+            let size = size.unwrap_or(self.parts.size);
+            self.add(&format!("{id}.dxf"), pattern_dxf(cut, size));
         }
         Ok(())
     }

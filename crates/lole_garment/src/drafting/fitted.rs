@@ -191,11 +191,18 @@ pub(crate) fn binding_step(neckline: f64, figure: StepFigure) -> Step {
 /// How pieces are cut and marked.
 pub(crate) fn cutting_step(pieces: &[Piece]) -> Step {
     let count: u32 = pieces.iter().map(|piece| piece.cut.pieces()).sum();
+    let is_dart = |mark: &Mark| matches!(mark, Mark::Line { kind, .. } if *kind == LineKind::Dart);
+    let has_darts = pieces.iter().any(|piece| piece.marks.iter().any(is_dart));
+    let [marked_japanese, marked_english] = if has_darts {
+        ["合印とダーツ", "notches and darts"]
+    } else {
+        ["合印", "all notches"]
+    };
     step(
         words("布を裁つ", "Cut out"),
         say!(
-            "型紙には縫い代が入っています。そのまま外の線で、型紙に書いてある枚数を裁ちます。布は広げて一枚で置き、裁ち方図のように地の目を合わせます。「わ」の型紙は半身です。写したら「わ」の線で裏返して続きを写し、左右をつなげて一枚に裁ちます（布を二つ折りにするときは、折り山に「わ」を合わせます）。「左右」の型紙は、二枚目を裏返して写します。合印とダーツを写します。",
-            "The patterns include their seam allowances: cut as many pieces of cloth as each says, along the outer lines. Spread the cloth in a single layer and lay them along the grain as the cut plan shows. A pattern with a fold line is one half: draw it, turn it over along the fold line, draw the other half, and cut both in one (on doubled cloth the fold line lies on the fold). Of a pair, turn the pattern over for the second piece. Mark notches and darts."
+            "型紙には縫い代が入っています。そのまま外の線で、型紙に書いてある枚数を裁ちます。布は広げて一枚で置き、裁ち方図のように地の目を合わせます。「わ」の型紙は半身です。写したら「わ」の線で裏返して続きを写し、左右をつなげて一枚に裁ちます（布を二つ折りにするときは、折り山に「わ」を合わせます）。「左右」の型紙は、二枚目を裏返して写します。{marked_japanese}を写します。",
+            "The patterns include their seam allowances: cut as many pieces of cloth as each says, along the outer lines. Spread the cloth in a single layer and lay them along the grain as the cut plan shows. A pattern with a fold line is one half: draw it, turn it over along the fold line, draw the other half, and cut both in one (on doubled cloth the fold line lies on the fold). Of a pair, turn the pattern over for the second piece. Mark {marked_english}."
         ),
         minutes(&[(Work::Piece, f64::from(count)), (Work::Piece, 3.0)]),
     )
@@ -267,14 +274,37 @@ pub(crate) fn closing_step(
     .shown(StepFigure::Seams(seams))
 }
 
-/// How a hem is turned up.
-pub(crate) fn hem_step(depth: f64, around: f64, figure: StepFigure) -> Step {
-    let [depth_cm, around_cm] = [depth, around].map(cm);
+/// How far the edge of a hem of this depth is longer than where it is sewn to, because the hem bends [m].
+pub(crate) fn hem_fullness(edge: &Edge, depth: f64) -> f64 {
+    let points = edge.points(1.0e-3);
+    let ways: Vec<Vec2> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let turns = ways.windows(2).map(|pair| {
+        let [one, other] = [pair[0], pair[1]];
+        lole_geom::trig64::atan2(one.cross(other), one.dot(other))
+    });
+    depth * turns.sum::<f64>().abs()
+}
+
+/// A hem whose edge is longer by less is folded without a word [m].
+const LEAST_FULLNESS: f64 = 0.01;
+
+/// How a hem is turned up; each of its pieces has so much too much of it where it bends ([`hem_fullness`]).
+pub(crate) fn hem_step((depth, fullness): (f64, f64), around: f64, figure: StepFigure) -> Step {
+    let [depth_cm, around_cm, full_cm] = [depth, around, fullness].map(cm);
+    let eased = if LEAST_FULLNESS < fullness {
+        say!(
+            "裾の丸いところでは、折り代の端が一枚につき {full_cm} cm 余ります。端から 0.5 cm を粗くぐし縫いし、糸を引いて縮め、アイロンで平らになじませてから縫います。",
+            " Where the hem bends, its edge has {full_cm} cm too much in each piece: run a long stitch 0.5 cm from the edge, draw it up until the fold lies flat, and press before you sew."
+        )
+    } else {
+        Sentence::new("", "")
+    };
+    let [japanese, english] = [&eased.japanese, &eased.english];
     step(
         words("裾を上げる", "Hem"),
         say!(
-            "裾を {depth_cm} cm 折り上げ、端を 1 cm 折り込んで、{around_cm} cm を縫います。",
-            "Turn up {depth_cm} cm, its edge turned under by 1 cm, and stitch around, {around_cm} cm."
+            "裾を {depth_cm} cm 折り上げ、端を 1 cm 折り込んで、{around_cm} cm を縫います。{japanese}",
+            "Turn up {depth_cm} cm, its edge turned under by 1 cm, and stitch around, {around_cm} cm.{english}"
         ),
         minutes(&[(Work::Hem, around)]),
     )

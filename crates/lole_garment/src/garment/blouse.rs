@@ -19,7 +19,8 @@ use crate::drafting::block::{Block, Fit};
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::fitted::{
     FITTED_SEAM, SideLine, binding, binding_seams, binding_step, center_edge, closing_step,
-    cutting_step, dart_step, hem_step, place, rising_hem, shown, upper_edges, zip_note,
+    cutting_step, dart_step, hem_fullness, hem_step, place, rising_hem, shown, upper_edges,
+    zip_note,
 };
 use crate::drafting::making::{
     both_sides, cm, eased, elastic, notion, pattern, plain, say, sewn, side, step,
@@ -408,8 +409,9 @@ fn finish(
     let neckline = pieces[BINDING].edges[0].length();
     steps.push(binding_step(neckline, shown(&pieces, FRONT, &["neckline"])));
     steps.extend(sleeve_steps(sleeve, arm, (SLEEVE, of_sleeve)));
+    let full = hem_fullness(&pieces[FRONT].edges[place(&pieces[FRONT], "hem")], body.hem);
     steps.push(hem_step(
-        body.hem,
+        (body.hem, full),
         hem_around,
         shown(&pieces, FRONT, &["hem"]),
     ));

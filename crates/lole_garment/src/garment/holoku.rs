@@ -20,7 +20,7 @@ use crate::drafting::block::{Block, Fit, NO_REMEDY, unfit};
 use crate::drafting::chosen::{Chosen, by_measure, choice, number};
 use crate::drafting::fitted::{
     FITTED_SEAM, SEAM, SideLine, binding, binding_seams, binding_step, closing_step, cutting_step,
-    dart_step, hem_step, place, shown, zip_note,
+    dart_step, hem_fullness, hem_step, place, shown, zip_note,
 };
 use crate::drafting::making::{
     both_sides, cm, eased, notion, pattern, plain, say, sewn, side, step,
@@ -539,7 +539,9 @@ fn finish(
     ));
     steps.push(hook_step());
     steps.push(sleeve_step(sleeve, of_sleeve));
-    steps.push(hem_step(body.hem, hems, shown(&pieces, BACK, &["hem"])));
+    let hem = &pieces[BACK].edges[place(&pieces[BACK], "hem")];
+    let full = (body.hem, hem_fullness(hem, body.hem));
+    steps.push(hem_step(full, hems, shown(&pieces, BACK, &["hem"])));
     pattern(pieces, seams, notions, steps)
 }
 

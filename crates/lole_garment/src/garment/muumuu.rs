@@ -20,8 +20,8 @@ use crate::drafting::altered::altered;
 use crate::drafting::block::{Block, Fit};
 use crate::drafting::chosen::{Chosen, choice, number};
 use crate::drafting::fitted::{
-    FITTED_SEAM, binding, binding_seams, binding_step, closing_step, cutting_step, hem_step, place,
-    shown,
+    FITTED_SEAM, binding, binding_seams, binding_step, closing_step, cutting_step, hem_fullness,
+    hem_step, place, shown,
 };
 use crate::drafting::making::{
     both_sides, cm, eased, gathered, notion, pattern, plain, say, sewn, side, step,
@@ -468,7 +468,9 @@ fn finish(
     } else {
         (FRONT, skirt.hem)
     };
-    steps.push(hem_step(depth, hem, shown(&pieces, last, &["hem"])));
+    let edge = &pieces[last].edges[place(&pieces[last], "hem")];
+    let full = (depth, hem_fullness(edge, depth));
+    steps.push(hem_step(full, hem, shown(&pieces, last, &["hem"])));
     let finished = finished(measures, skirt, (sleeve, arm), hem);
     pattern(pieces, seams, notions, steps)
         .measuring(finished)
