@@ -463,18 +463,23 @@ fn finish(
         steps.push(ruffle_step(&pieces, onto_hem));
     }
     let hem = hem_around(&pieces);
-    let (last, depth) = if has_ruffle {
+    steps.push(lowest_step(&pieces, skirt, hem));
+    let finished = finished(measures, skirt, (sleeve, arm), hem);
+    pattern(pieces, seams, notions, steps)
+        .measuring(finished)
+        .drawn_in(SLEEVE, crate::drafting::sleeve::HEM, Length::from_m(arm))
+}
+
+/// How the lowest edge is hemmed: that of the ruffle, where there is one.
+fn lowest_step(pieces: &[Piece], skirt: &Skirt, around: f64) -> Step {
+    let (last, depth) = if 0.0 < skirt.ruffle {
         (RUFFLE, 3.0 * CM)
     } else {
         (FRONT, skirt.hem)
     };
     let edge = &pieces[last].edges[place(&pieces[last], "hem")];
     let full = (depth, hem_fullness(edge, depth));
-    steps.push(hem_step(full, hem, shown(&pieces, last, &["hem"])));
-    let finished = finished(measures, skirt, (sleeve, arm), hem);
-    pattern(pieces, seams, notions, steps)
-        .measuring(finished)
-        .drawn_in(SLEEVE, crate::drafting::sleeve::HEM, Length::from_m(arm))
+    hem_step(full, around, shown(pieces, last, &["hem"]))
 }
 
 /// What a tape says of the dress: it hangs from the yoke, wide everywhere below.
