@@ -82,7 +82,7 @@ impl PlannedGarment {
         let pieces = self.tailored.cutting().pieces.iter();
         pieces
             .filter_map(|piece| {
-                let [width, height] = piece.drawing(CURVE_TOLERANCE).rectangle?;
+                let [width, height] = piece.rectangle(CURVE_TOLERANCE)?;
                 let sizes = if piece.is_on_bias() || piece.grain.y.abs() < piece.grain.x.abs() {
                     [width, height]
                 } else {

@@ -495,10 +495,7 @@ mod tests {
         let mut design = Design::default();
         design.dancer.hip_cm = Some(91.4);
         let patterns = patterns(&design);
-        let cut = patterns[0].pattern.pieces[0]
-            .drawing(1e-4)
-            .rectangle
-            .unwrap();
+        let cut = patterns[0].pattern.pieces[0].rectangle(1e-4).unwrap();
         assert!(
             (cut[0].to_cm() - (4.0 * 91.4 + 2.0)).abs() < 0.05,
             "{cut:?}"

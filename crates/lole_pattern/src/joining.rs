@@ -204,7 +204,7 @@ impl Joint {
         let (japanese, english): (Vec<String>, Vec<String>) = (self.parts.iter())
             .map(|part| {
                 let count = part.cut.pieces();
-                if part.drawing(1.0e-4).rectangle.is_none() {
+                if part.rectangle(1.0e-4).is_none() {
                     return (
                         format!("「{}」{count} 枚", part.name.japanese),
                         format!("{count} of the {}", part.name.english),
@@ -350,7 +350,7 @@ fn level_of(piece: &Piece, wanted: LineKind) -> Option<f64> {
 fn widths(piece: &Piece, cloth: &TableCloth) -> Option<Joint> {
     let is_gathered = level_of(piece, LineKind::CasingTop).is_some();
     let may_turn = cloth.nap == Nap::AllWays && cloth.border.is_none();
-    let rectangle = piece.drawing(1.0e-4).rectangle;
+    let rectangle = piece.rectangle(1.0e-4);
     if !is_gathered || !may_turn || rectangle.is_none() || piece.edges.len() != 4 {
         return None;
     }

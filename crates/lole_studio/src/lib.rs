@@ -16,6 +16,7 @@ mod app;
 mod chooser;
 mod clock;
 mod command;
+mod companion;
 mod history;
 mod light;
 mod look;

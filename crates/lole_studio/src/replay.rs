@@ -6,7 +6,7 @@ use lole_costume::document::MotionRepeat;
 
 use crate::message::Message;
 use crate::studio::Studio;
-use crate::take::Neighbor;
+use crate::take::Way;
 use crate::{Command, Snapshot, platform};
 
 /// What is seen again, and how.
@@ -105,9 +105,9 @@ impl Studio {
     }
 
     /// The moment before or after, as they were kept.
-    pub(crate) fn step_again(&mut self, neighbor: Neighbor) {
+    pub(crate) fn step_again(&mut self, way: Way) {
         let at = (self.replay.as_ref()).map_or(f32::INFINITY, |replay| replay.at);
-        let beside = self.take.beside(at, neighbor);
+        let beside = self.take.next(at, way);
         self.look_again(beside);
         if let Some(replay) = &mut self.replay {
             replay.plays = false;
@@ -194,7 +194,7 @@ impl Studio {
     /// One frame, then still.
     pub fn step(&mut self) {
         if self.replay.is_some() {
-            self.step_again(Neighbor::After);
+            self.step_again(Way::On);
             return;
         }
         self.plays = false;

@@ -41,11 +41,11 @@ struct Kept {
     bytes: usize,
 }
 
-/// Which of two neighbors in time.
+/// Which way through time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Neighbor {
-    Before,
-    After,
+pub(crate) enum Way {
+    Back,
+    On,
 }
 
 /// Positions within their box and normals, as integers.
@@ -143,9 +143,9 @@ impl Take {
     }
 
     /// The time of the frame before or after a time [s]; the time itself where there is none.
-    pub(crate) fn beside(&self, time: f32, neighbor: Neighbor) -> f32 {
+    pub(crate) fn next(&self, time: f32, way: Way) -> f32 {
         let nearer = INTERVAL * 0.1;
-        let found = if neighbor == Neighbor::After {
+        let found = if way == Way::On {
             let place = self
                 .frames
                 .partition_point(|kept| kept.time <= time + nearer);

@@ -12,7 +12,8 @@ use lole_render::{Bounds, Effort, Image, LiveView, Material, RenderError, Size, 
 use lole_stage::Pull;
 
 use crate::clock::Clock;
-use crate::light::{Job, Neighbor};
+use crate::companion::Companion;
+use crate::light::Job;
 use crate::look::strain_color;
 use crate::message::Message;
 use crate::orbit::{Orbit, hand_at, pick};
@@ -63,7 +64,7 @@ pub(crate) struct Viewport {
     drift: Vec3,
     followed_at: f64,
     /// Who dances beside her, of which take and at which time of it [s].
-    beside: Option<(Arc<Take>, f32, Neighbor)>,
+    beside: Option<(Arc<Take>, f32, Companion)>,
 }
 
 /// What is on the adapter.
@@ -324,7 +325,7 @@ impl Viewport {
         let is_new_light = self.take_light();
         let scenery = studio.scenery(snapshot);
         self.bring_beside(studio, snapshot.time);
-        let beside = self.beside.as_ref().map(|(_, _, neighbor)| neighbor);
+        let beside = self.beside.as_ref().map(|(_, _, companion)| companion);
         self.light.offer(Job {
             snapshot: Arc::clone(snapshot),
             camera: orbit.camera(),
@@ -335,7 +336,7 @@ impl Viewport {
         let drawn = Drawn {
             snapshot: Arc::as_ptr(snapshot),
             time: snapshot.time,
-            together: Neighbor::together(beside, &snapshot.wardrobe),
+            together: Companion::together(beside, &snapshot.wardrobe),
             orbit,
             scenery,
             size: (size.width, size.height),
@@ -362,8 +363,8 @@ impl Viewport {
         };
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();
-        let beside = self.beside.as_ref().map(|(_, _, neighbor)| neighbor);
-        let mut scene = Neighbor::scene(beside, (wardrobe, figure), (scenery, camera));
+        let beside = self.beside.as_ref().map(|(_, _, companion)| companion);
+        let mut scene = Companion::scene(beside, (wardrobe, figure), (scenery, camera));
         if is_coarse {
             wardrobe.coarsen(&mut scene);
         }
@@ -381,18 +382,18 @@ impl Viewport {
             self.beside = None;
             return;
         };
-        let is_there = |(of, at, _): &(Arc<Take>, f32, Neighbor)| {
+        let is_there = |(of, at, _): &(Arc<Take>, f32, Companion)| {
             Arc::ptr_eq(of, &take) && at.to_bits() == time.to_bits()
         };
         if self.beside.as_ref().is_some_and(is_there) {
             return;
         }
         self.beside = take.at(time).map(|shown| {
-            let neighbor = Neighbor {
+            let companion = Companion {
                 wardrobe: shown.wardrobe,
                 moment: Arc::new(shown.moment.moved(BESIDE_WAY)),
             };
-            (take, time, neighbor)
+            (take, time, companion)
         });
     }
 

@@ -128,15 +128,14 @@ impl Trial<'_> {
             let pairs = plain.iter().zip(&altered);
             let pairs = pairs.filter_map(|(one, other)| one.as_ref().zip(other.as_ref()));
             let pieces = pairs.flat_map(|(one, other)| one.pieces.iter().zip(&other.pieces));
-            let changed = pieces.map(|(one, other)| (change(one, other), [one, other]));
-            let changed = changed.filter(|(by, _)| LEAST_CHANGE < *by);
             // A strip that is longer for it shows nothing of the body.
-            let shaped = |piece: &Piece| piece.drawing(LEAST_CHANGE).rectangle.is_none();
-            let most = changed.max_by(|a, b| {
-                let shapes = shaped(a.1[0]).cmp(&shaped(b.1[0]));
-                shapes.then(a.0.total_cmp(&b.0))
+            let changed = pieces.map(|(one, other)| {
+                let is_shaped = one.rectangle(LEAST_CHANGE).is_none();
+                (is_shaped, change(one, other), [one, other])
             });
-            most.map(|(_, pieces)| pieces.map(Piece::clone))
+            let changed = changed.filter(|(_, by, _)| LEAST_CHANGE < *by);
+            let most = changed.max_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+            most.map(|(_, _, pieces)| pieces.map(Piece::clone))
         });
         Some(UsedAlteration {
             alteration,

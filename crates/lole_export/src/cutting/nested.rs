@@ -85,7 +85,7 @@ pub fn nested_sheet(
     let shaped: Vec<usize> = (0..cut.garment.cutting().pieces.len())
         .filter(|&index| {
             let piece = &cut.garment.cutting().pieces[index];
-            piece.drawing(TOLERANCE).rectangle.is_none()
+            piece.rectangle(TOLERANCE).is_none()
         })
         .collect();
     if shaped.is_empty() {
@@ -350,7 +350,7 @@ mod tests {
             let count = |name: &str| sheet.texts().iter().filter(|text| **text == name).count();
             let pieces = sizes[0].garments[0].tailored.cutting().pieces.iter();
             let shaped = pieces
-                .filter(|piece| piece.drawing(TOLERANCE).rectangle.is_none())
+                .filter(|piece| piece.rectangle(TOLERANCE).is_none())
                 .count();
             for size in &sizes {
                 // Once for each piece, and once in the chart.

@@ -516,7 +516,7 @@ fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> PageT
             } else {
                 format!("{height:.1} × {width:.1} cm")
             };
-            let how = if piece.drawing(TOLERANCE).rectangle.is_some() {
+            let how = if piece.rectangle(TOLERANCE).is_some() {
                 pick(
                     "定規とチャコで（ruler.pdf）",
                     "by ruler and chalk (ruler.pdf)",

@@ -99,7 +99,7 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
 pub(super) fn free_pieces(cut: &CutGarment) -> Vec<&Piece> {
     let pieces = cut.garment.cutting().pieces.iter();
     pieces
-        .filter(|piece| piece.drawing(TOLERANCE).rectangle.is_none())
+        .filter(|piece| piece.rectangle(TOLERANCE).is_none())
         .collect()
 }
 

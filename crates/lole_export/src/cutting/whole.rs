@@ -132,7 +132,7 @@ pub fn whole_sheet(cut: &CutGarment, page: WholeSheet, language: Language) -> Op
 #[must_use]
 pub fn has_shaped_pieces(garment: &GarmentPattern) -> bool {
     let mut pieces = garment.cutting().pieces.iter();
-    pieces.any(|piece| piece.drawing(super::TOLERANCE).rectangle.is_none())
+    pieces.any(|piece| piece.rectangle(super::TOLERANCE).is_none())
 }
 
 /// What it is and whose, a square to measure, and its code.

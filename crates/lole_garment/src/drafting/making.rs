@@ -189,7 +189,7 @@ fn adjustment(piece: &Piece) -> Option<Mark> {
     /// Lines are this near to curves [m].
     const TOLERANCE: f64 = 1.0e-4;
     let side = piece.edges.iter().find(|edge| edge.id.ends_with("side"))?;
-    if side.length() < LEAST || piece.drawing(TOLERANCE).rectangle.is_some() {
+    if side.length() < LEAST || piece.rectangle(TOLERANCE).is_some() {
         return None;
     }
     let (middle, _) = side.place(0.5 * side.length())?;

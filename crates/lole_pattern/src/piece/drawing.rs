@@ -114,6 +114,15 @@ impl Piece {
     }
 }
 
+impl Piece {
+    /// Width along `x` and height along `y` of a piece that is cut as an upright rectangle, its curves lines within
+    /// `tolerance` [m]: [`Drawing::rectangle`] without the rest of the drawing, which takes far longer.
+    #[must_use]
+    pub fn rectangle(&self, tolerance: f64) -> Option<[Length; 2]> {
+        rectangle(&self.cut_polygon(tolerance))
+    }
+}
+
 impl Edge {
     /// The point at a distance [m] from the beginning along the stitching line, and the direction out
     /// of the cloth there; `None` for an edge without segments.

@@ -3,7 +3,7 @@
 use eframe::egui::{self, Button, CornerRadius, Rect, RichText, Slider, Ui};
 
 use super::knob;
-use crate::take::Neighbor;
+use crate::take::Way;
 use crate::{Studio, look, text};
 
 /// Width of the time beside the slider [point].
@@ -84,12 +84,12 @@ fn slider(ui: &mut Ui, studio: &mut Studio) {
 
 /// Frame by frame, and the phrase that is seen over and over.
 fn phrase(ui: &mut Ui, studio: &mut Studio) {
-    for (sign, name, neighbor) in [
-        ("⬅", text::FRAME_BEFORE, Neighbor::Before),
-        ("➡", text::FRAME_AFTER, Neighbor::After),
+    for (sign, name, way) in [
+        ("⬅", text::FRAME_BEFORE, Way::Back),
+        ("➡", text::FRAME_AFTER, Way::On),
     ] {
         if knob::sign_button(ui, sign, studio.say(name)) {
-            studio.step_again(neighbor);
+            studio.step_again(way);
         }
     }
     let at = studio.replay.as_ref().map(|replay| replay.at);

@@ -34,7 +34,7 @@ pub(crate) use tailor::Tailor;
 /// Whether files lie in folders that can be shown.
 pub(crate) const HAS_FOLDERS: bool = true;
 
-/// What is kept of the dance to be seen again takes so many bytes at most: some minutes of a skirt.
+/// What is kept of the dance to be seen again takes so many bytes at most: nearly a minute of a skirt.
 pub(crate) const TAKE_BYTES: usize = 512 << 20;
 
 /// Nothing: nobody measures a window from outside.

@@ -116,7 +116,7 @@ fn draw_seam(canvas: &mut Canvas<'_>, pattern: &Pattern, seam: &Seam) {
     };
     let rect = canvas.rect;
     if seam.flat.piece == seam.full.piece && seam.flat.copy == seam.full.copy {
-        if one.drawing(1e-3).rectangle.is_some() {
+        if one.rectangle(1e-3).is_some() {
             draw_ring(canvas, one, seam.flat.edge);
         } else {
             draw_side(canvas, one, &[seam.flat.edge, seam.full.edge], rect.width);
