@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use lole_costume::order::DancerPlan;
 use lole_language::{Bilingual as _, Language, Words};
 
-use super::{head, subhead};
+use super::{by_hand_words, head, subhead};
 use crate::pdf::{Cell, Column, Flow, PageTable, TextStyle};
 
 /// Columns of numbers that stand side by side.
@@ -61,7 +61,7 @@ fn of_garment(group: &[DancerPlan], garment: usize, language: Language) -> Vec<O
             if !order.contains(&key) {
                 order.push(key);
             }
-            let by_hand = step.by_hand.as_ref().map(|text| text.text(language));
+            let by_hand = (step.by_hand.as_ref()).map(|text| by_hand_words(text, language));
             let text = [Some(step.by_machine.text(language)), by_hand];
             let text: Vec<String> = text.into_iter().flatten().collect();
             of_dancer.insert((key.0.english, key.1), text.join("\n"));
