@@ -112,7 +112,8 @@ impl Plot {
         // On the page down is what is up on the plotter.
         self.text.push_str(&format!(
             "PU{place};DI{:.4},{:.4};SI{wide:.3},{high:.3};LB{said}{END};",
-            along.x, -along.y
+            along.x + 0.0,
+            0.0 - along.y
         ));
     }
 }
